@@ -1,0 +1,48 @@
+//! Slices in, slices out: one line a function.
+//!
+//! Every function takes its arguments as slices at least as long as `out` and fills `out`.
+
+use crate::dispatch::batch;
+use crate::{lambert, motion, real};
+
+pub use crate::dispatch::isa_name;
+
+/// A function of one number over slices.
+pub type UnaryBatch = fn(&[f64], &mut [f64]);
+/// A function of two numbers over slices.
+pub type BinaryBatch = fn(&[f64], &[f64], &mut [f64]);
+
+/// Defines the slice functions and the table of them that bindings register.
+macro_rules! table {
+    ($table:ident: $type:ty; $($name:ident($($x:ident),+) = $kernel:path;)+) => {
+        $(batch! {
+            #[doc = concat!("[`", stringify!($kernel), "`] over slices.")]
+            $name, $kernel, $($x),+
+        })+
+        /// Every function of this shape, by its public name.
+        pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];
+    };
+}
+
+table! { UNARY: UnaryBatch;
+    lambertw0(z) = lambert::lambertw0;
+    lambertwm1(z) = lambert::lambertwm1;
+    lambertw0_offset(d) = lambert::lambertw0_offset;
+    lambertwm1_offset(d) = lambert::lambertwm1_offset;
+    tree(z) = lambert::tree;
+    log1pmx(x) = real::log1pmx;
+}
+
+table! { BINARY: BinaryBatch;
+    apex_x(alpha, eps) = motion::apex_x;
+    apex_y(alpha, eps) = motion::apex_y;
+    apex_time(alpha, eps) = motion::apex_time;
+    apex_distance(alpha, eps) = motion::apex_distance;
+    apex_elevation(alpha, eps) = motion::apex_elevation;
+    apex_curvature(alpha, eps) = motion::apex_curvature;
+    locus_launch_angle(theta, eps) = motion::locus_launch_angle;
+    locus_launch_angle_d1(theta, eps) = motion::locus_launch_angle_d1;
+    locus_launch_angle_d2(theta, eps) = motion::locus_launch_angle_d2;
+    locus_radius(theta, eps) = motion::locus_radius;
+    locus_curvature(theta, eps) = motion::locus_curvature;
+}

@@ -1,0 +1,11 @@
+//! Projectile motion under gravity and linear drag, computed to the last digits.
+#![cfg_attr(not(feature = "std"), no_std)]
+
+pub mod lambert;
+pub mod motion;
+pub mod real;
+
+#[cfg(feature = "std")]
+pub mod batch;
+#[cfg(feature = "std")]
+mod dispatch;
