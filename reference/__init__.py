@@ -1,0 +1,1 @@
+"""Exact values of every public function, from definitions; see README.md beside this file."""
