@@ -1,0 +1,43 @@
+//! One shape for the core's slice functions of one and two numbers.
+
+use archerfish::batch::{BinaryBatch, UnaryBatch};
+
+/// Most inputs a kernel takes.
+pub const MAX_INPUTS: usize = 2;
+
+/// A slice function of the core, by its number of inputs.
+#[derive(Clone, Copy)]
+pub enum Kernel {
+    Unary(UnaryBatch),
+    Binary(BinaryBatch),
+}
+
+impl Kernel {
+    /// How many inputs it takes.
+    pub fn inputs(self) -> usize {
+        match self {
+            Kernel::Unary(_) => 1,
+            Kernel::Binary(_) => 2,
+        }
+    }
+
+    /// Fills `out` from the first [`inputs`](Kernel::inputs) slices of `x`, and says whether a NaN
+    /// was born: an output is NaN where no input is.
+    pub fn fill(self, x: [&[f64]; MAX_INPUTS], out: &mut [f64]) -> bool {
+        match self {
+            Kernel::Unary(function) => function(x[0], out),
+            Kernel::Binary(function) => function(x[0], x[1], out),
+        }
+        // The second pass, over the inputs too, only where the first, cheap one found something.
+        holds_nan(out) && (0..out.len()).any(|i| out[i].is_nan() && !self.any_nan(x, i))
+    }
+
+    fn any_nan(self, x: [&[f64]; MAX_INPUTS], i: usize) -> bool {
+        x[..self.inputs()].iter().any(|input| input[i].is_nan())
+    }
+}
+
+/// Whether a slice holds a NaN. A fold, not `any`: without a way out in the middle it vectorises.
+fn holds_nan(values: &[f64]) -> bool {
+    values.iter().fold(false, |found, value| found | value.is_nan())
+}
