@@ -9,14 +9,17 @@ No sum here cancels, so a precision a little above the wanted one is enough; `ap
 insists that they agree.
 """
 
+import math
 from typing import NamedTuple
 
 from flint import arb, arb_series, ctx
 
 from reference.ball import precision
+from reference.geometry import TERMS
 
-#: Series in the change of α keep this many terms: the value and three derivatives.
-TERMS = 4
+def degree_for(bits: int) -> int:
+    """The first k with 2^k / k! < 2^-bits: where the expansion over a step of twice the time scale may be cut."""
+    return next(k for k in range(10, 10 * bits) if math.lgamma(k + 1) / math.log(2) - k > bits)
 
 
 class Apex(NamedTuple):
@@ -70,8 +73,8 @@ def integrate(alpha: arb, eps: arb, bits: int) -> Apex:
         ctx.cap = TERMS
         angle = arb_series([alpha, 1], prec=TERMS)
         state = State(constant(arb(0)), constant(arb(0)), angle.cos(), angle.sin())
-        step = (1 / (4 * max(arb(1), eps))).mid()  # a quarter of the time scale, at most
-        degree = bits // 4 + 40  # (1/4)^k / k! is below 2^-bits long before
+        step = (2 / max(arb(1), eps)).mid()  # twice the time scale, at most
+        degree = degree_for(bits + 64)
         elapsed = constant(arb(0))
         while True:
             terms = expansion(state, eps, degree)
@@ -114,8 +117,7 @@ def apex(alpha: arb, eps: arb, bits: int = 160) -> Apex:
     fine = integrate(alpha, eps, bits + 96)
     with precision(bits + 96):
         for name, first, second in zip(Apex._fields, rough, fine, strict=True):
-            for k in range(TERMS - 1):
-                size = max(abs(second[k]), max(abs(c) for c in second.coeffs()) * arb(2) ** -bits)
-                if abs(first[k] - second[k]) > size * arb(2) ** -(bits - 40):
-                    raise ArithmeticError(f"{name} of order {k} at {alpha}, {eps} does not settle at {bits} bits")
+            largest = max(abs(second[k]) for k in range(TERMS))
+            if not all(abs(first[k] - second[k]) <= largest * arb(2) ** -(bits - 40) for k in range(TERMS)):
+                raise ArithmeticError(f"{name} at {alpha}, {eps} does not settle at {bits} bits")
     return fine

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from reference import elementary, inputs, lambert
+from reference import elementary, inputs, lambert, motion
 from reference.ball import Rounded, exact
 from reference.inputs import Arguments
 
@@ -37,6 +37,8 @@ FUNCTIONS: dict[str, Function] = {
     "lambertw0_offset": by(lambert.lambertw0_offset, inputs.W0_OFFSET),
     "lambertwm1_offset": by(lambert.lambertwm1_offset, inputs.WM1_OFFSET),
     "tree": by(lambert.tree, inputs.TREE),
+    **{name: by(motion.along(motion.fast_apex, q), inputs.MOTION, 2.0) for name, q in motion.BY_LAUNCH_ANGLE.items()},
+    **{name: by(motion.along(motion.fast_locus, q), inputs.MOTION, 2.0) for name, q in motion.BY_ELEVATION.items()},
 }
 
 
