@@ -1,0 +1,74 @@
+"""Integrals over launch angles, to the last few digits at every drag."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+_NODES = 16
+#: Panels at ε = 0: there the nearest singularity of the arc length lies 0.27 beside 45 degrees.
+_LEAST_PANELS = 4
+#: Panels for every factor e in 1 + ε.
+_PANELS_PER_E_FOLD = 2
+
+
+def integral(
+    integrand: Callable[[FloatArray, FloatArray], FloatArray],
+    start: npt.ArrayLike,
+    stop: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+) -> FloatArray:
+    """∫ integrand(α, ε) dα from `start` to `stop`, angles in radians within [0, π].
+
+    `start`, `stop` and `epsilon` broadcast; the integrand is called with arrays that have one more
+    axis, the last, for the nodes.
+
+    With drag the integrands change on the scale 1/ε near the ground and 1/√ε at the bend, however
+    large ε is. Panels that grow geometrically from 1/ε up keep every feature a few panels wide;
+    on each of them Gauss-Legendre quadrature converges to full precision.
+    """
+    first, last, eps = np.broadcast_arrays(
+        *(np.asarray(value, dtype=np.float64) for value in (start, stop, epsilon))
+    )
+    low, high = np.minimum(first, last), np.maximum(first, last)
+    edges = _graded_edges(eps)
+    if np.any(high > np.pi / 2):
+        edges += [np.pi - edge for edge in reversed(edges[:-1])]
+    # The outermost edges are the caller's own, so that an angle outside [0, π] reaches the
+    # integrand, whose NaN is the answer.
+    edges = [low, *(np.clip(edge, low, high) for edge in edges[1:-1]), high]
+
+    nodes, weights = _gauss_legendre()
+    total = np.zeros(eps.shape)
+    for left, right in zip(edges[:-1], edges[1:], strict=True):
+        if np.array_equal(left, right):
+            continue
+        half = 0.5 * (right - left)
+        alpha = (0.5 * (right + left))[..., np.newaxis] + half[..., np.newaxis] * nodes
+        total += half * (integrand(alpha, eps[..., np.newaxis]) @ weights)
+    return np.where(first <= last, total, -total)
+
+
+def _graded_edges(eps: FloatArray) -> list[FloatArray]:
+    """Edges (π/2)(q^{j/J} − 1)/ε with q = 1 + ε, from 0 to π/2; equal steps where ε is 0."""
+    log_q = np.log1p(eps)
+    panels = _LEAST_PANELS + _PANELS_PER_E_FOLD * int(np.ceil(np.max(log_q, initial=0.0)))
+    edges = []
+    for j in range(panels + 1):
+        fraction = j / panels
+        grown = np.divide(
+            np.expm1(fraction * log_q), eps, out=np.full(eps.shape, fraction), where=eps > 0
+        )
+        edges.append(np.minimum(grown, 1.0) * (np.pi / 2))
+    return edges
+
+
+@cache
+def _gauss_legendre() -> tuple[FloatArray, FloatArray]:
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    return nodes, weights
