@@ -1,6 +1,57 @@
-"""Projectile motion under gravity and linear drag, right to the last digits."""
+"""Projectile motion under gravity and linear drag, right to the last digits.
 
-from archerfish import _core
-from archerfish._core import *  # noqa: F403
+The functions are NumPy ufuncs, in units of V₀²/g (length) and V₀/g (time), angles in radians;
+`Launcher` and `ApexLocus` are the same in SI units.
+
+>>> import archerfish
+>>> round(float(archerfish.apex_x(0.75, 0.1)), 6)
+0.46692
+"""
+
+from archerfish import _core, _ufunc_docs
+from archerfish._core import (
+    apex_curvature,
+    apex_distance,
+    apex_elevation,
+    apex_time,
+    apex_x,
+    apex_y,
+    isa,
+    lambertw0,
+    lambertw0_offset,
+    lambertwm1,
+    lambertwm1_offset,
+    locus_curvature,
+    locus_launch_angle,
+    locus_launch_angle_d1,
+    locus_launch_angle_d2,
+    locus_radius,
+    log1pmx,
+    tree,
+)
 
 __version__ = _core.__version__
+
+_ufunc_docs.attach(_core)
+
+__all__ = [
+    "__version__",
+    "apex_curvature",
+    "apex_distance",
+    "apex_elevation",
+    "apex_time",
+    "apex_x",
+    "apex_y",
+    "isa",
+    "lambertw0",
+    "lambertw0_offset",
+    "lambertwm1",
+    "lambertwm1_offset",
+    "locus_curvature",
+    "locus_launch_angle",
+    "locus_launch_angle_d1",
+    "locus_launch_angle_d2",
+    "locus_radius",
+    "log1pmx",
+    "tree",
+]

@@ -1,0 +1,259 @@
+"""The words about every ufunc, as data: the Rust side registers the names, this gives them a page.
+
+Numbers in the examples are rounded so far from the last digit that no platform can flip them.
+"""
+
+import inspect
+from types import ModuleType
+from typing import NamedTuple
+
+
+class UfuncDoc(NamedTuple):
+    """What is said of one ufunc."""
+
+    arguments: dict[str, str]
+    summary: str
+    returns: str
+    source: str
+    example: str
+
+
+ALPHA = {"alpha": "Launch angle α in radians, in [0, π]; above π/2 the mirror image is meant."}
+THETA = {"theta": "Polar angle θ of the apex seen from the launch point, in radians, in [0, π]."}
+EPS = {"eps": "Drag parameter ε = b V₀ / g, without unit, at least 0 and finite."}
+BY_LAUNCH_ANGLE = ALPHA | EPS
+BY_ELEVATION = THETA | EPS
+
+PAPER = "H. Hernández-Saldaña, Eur. J. Phys. (2010)"
+CORLESS = 'R. M. Corless et al., "On the Lambert W function", Adv. Comput. Math. 5 (1996)'
+
+DOCS: dict[str, UfuncDoc] = {
+    "lambertw0": UfuncDoc(
+        {"z": "Argument, at least -1/e; the double nearest to -1/e counts as -1/e."},
+        "Principal real branch W₀ of the Lambert W function.",
+        "The w ≥ -1 with w eʷ = z. W₀(-1/e) is -1 and W₀(∞) is ∞.",
+        f"{CORLESS}; equation (13) of {PAPER}.",
+        """\
+>>> archerfish.lambertw0([-0.3, 0.0, 1.0]).round(10)
+array([-0.4894022272,  0.          ,  0.5671432904])
+""",
+    ),
+    "lambertwm1": UfuncDoc(
+        {"z": "Argument, in [-1/e, 0]; the double nearest to -1/e counts as -1/e."},
+        "Lower real branch W₋₁ of the Lambert W function.",
+        "The w ≤ -1 with w eʷ = z. W₋₁(-1/e) is -1 and W₋₁(0) is -∞.",
+        f"{CORLESS}; equation (13) of {PAPER} needs it where ε sin α > 2.1461932…",
+        """\
+>>> archerfish.lambertwm1([-0.3, -0.1, -1e-20]).round(10)
+array([ -1.781337023 ,  -3.577152064 , -49.9650801283])
+""",
+    ),
+    "lambertw0_offset": UfuncDoc(
+        {"d": "Distance from the branch point, z = -1/e + d, at least 0."},
+        "1 + W₀(-1/e + d), with all its digits next to the branch point.",
+        "The principal branch, counted from the branch point: like √(2 e d) for small d.",
+        f"{CORLESS}, section 4 (series at the branch point).",
+        """\
+>>> archerfish.lambertw0_offset([0.0, 1e-6, 0.1]).round(10)
+array([0.          , 0.0023298337, 0.6006175475])
+""",
+    ),
+    "lambertwm1_offset": UfuncDoc(
+        {"d": "Distance from the branch point, z = -1/e + d, in [0, 1/e]."},
+        "1 + W₋₁(-1/e + d), with all its digits next to the branch point.",
+        "The lower branch, counted from the branch point: like -√(2 e d) for small d.",
+        f"{CORLESS}, section 4 (series at the branch point).",
+        """\
+>>> archerfish.lambertwm1_offset([0.0, 1e-6, 0.1]).round(10)
+array([ 0.          , -0.0023334581, -1.0206252288])
+""",
+    ),
+    "tree": UfuncDoc(
+        {"z": "Argument, at most 1/e."},
+        "The tree function T(z) = -W₀(-z).",
+        "The t ≤ 1 with t e⁻ᵗ = z.",
+        f"{CORLESS}; equation (14) of {PAPER}.",
+        """\
+>>> archerfish.tree([0.1, 0.2, 0.3]).round(10)
+array([0.1118325592, 0.2591711018, 0.4894022272])
+""",
+    ),
+    "log1pmx": UfuncDoc(
+        {"x": "Argument, at least -1."},
+        "ln(1 + x) - x, without the cancellation near x = 0.",
+        "At most 0: like -x²/2 for small x, and -∞ at x = -1.",
+        f"The numerator of equation (8) of {PAPER}, with the sign turned.",
+        """\
+>>> archerfish.log1pmx([-0.5, 0.0, 1.0]).round(10)
+array([-0.1931471806,  0.          , -0.3068528194])
+""",
+    ),
+    "apex_x": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Horizontal distance of the apex from the launch point.",
+        "x = sin α cos α / (1 + ε sin α), in V₀²/g; negative for α > π/2.",
+        f"Equation (7) of {PAPER}.",
+        """\
+>>> archerfish.apex_x(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
+array([0.4123930494, 0.4669795587, 0.3985014629])
+""",
+    ),
+    "apex_y": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Height of the apex above the launch point.",
+        "y = (u - ln(1 + u)) / ε² with u = ε sin α, in V₀²/g; sin²α / 2 at ε = 0.",
+        f"Equation (8) of {PAPER}.",
+        """\
+>>> archerfish.apex_y(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
+array([0.1209835831, 0.238806496 , 0.3546647331])
+""",
+    ),
+    "apex_time": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Time from launch to the apex.",
+        "t = ln(1 + ε sin α) / ε, in V₀/g; sin α at ε = 0.",
+        f"The zero of the vertical velocity, from which (7) and (8) of {PAPER} follow.",
+        """\
+>>> archerfish.apex_time(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
+array([0.4879016417, 0.6832261316, 0.8305589305])
+""",
+    ),
+    "apex_distance": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Straight distance of the apex from the launch point.",
+        "r = √(x² + y²), in V₀²/g.",
+        f"Equations (7) and (8) of {PAPER}.",
+        """\
+>>> archerfish.apex_distance(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
+array([0.4297732595, 0.5244982849, 0.5334702323])
+""",
+    ),
+    "apex_elevation": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Polar angle θ of the apex seen from the launch point.",
+        "θ in radians, in [0, π], rising with α; θ < α < arctan(2 tan θ) for 0 < α < π/2.",
+        f"Equation (10) of {PAPER}.",
+        """\
+>>> np.degrees(archerfish.apex_elevation(np.radians([30.0, 45.0, 60.0]), 0.1)).round(10)
+array([16.3500847124, 27.0845361898, 41.6689567515])
+""",
+    ),
+    "apex_curvature": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Curvature of the locus of apexes, at the apex of the shot at launch angle α.",
+        "ρK with ρ = V₀²/g: 1 at α = 0, 1 + ε at α = π/2, positive throughout.",
+        f"Section IV of {PAPER}, by launch angle.",
+        """\
+>>> archerfish.apex_curvature(np.radians([0.0, 45.0, 90.0]), 0.0).round(10)
+array([1., 8., 1.])
+""",
+    ),
+    "locus_launch_angle": UfuncDoc(
+        BY_ELEVATION,
+        "Launch angle α whose apex is seen under the polar angle θ.",
+        "α in radians, in [0, π]: the inverse of `apex_elevation`.",
+        f"Equation (10) of {PAPER}, solved for α.",
+        """\
+>>> np.degrees(archerfish.locus_launch_angle(np.radians([10.0, 30.0, 60.0]), 0.1)).round(10)
+array([19.2331103372, 48.4317935384, 73.4333066998])
+""",
+    ),
+    "locus_launch_angle_d1": UfuncDoc(
+        BY_ELEVATION,
+        "First derivative dα/dθ of the launch angle by the polar angle.",
+        "dα/dθ, without unit: 2 at θ = 0 for every ε.",
+        f"Equation (18) of {PAPER}.",
+        """\
+>>> archerfish.locus_launch_angle_d1(np.radians([10.0, 30.0, 60.0]), 0.1).round(8)
+array([1.80187014, 1.13510838, 0.62970059])
+""",
+    ),
+    "locus_launch_angle_d2": UfuncDoc(
+        BY_ELEVATION,
+        "Second derivative d²α/dθ² of the launch angle by the polar angle.",
+        "d²α/dθ², in 1/radian.",
+        f"Figure 3(b) of {PAPER}, from the closed form of (10) instead of differences.",
+        """\
+>>> archerfish.locus_launch_angle_d2(np.radians([10.0, 30.0, 60.0]), 0.1).round(8)
+array([-1.78960123, -1.6024363 , -0.48199183])
+""",
+    ),
+    "locus_radius": UfuncDoc(
+        BY_ELEVATION,
+        "Distance r̃ of the locus of apexes from the launch point, by polar angle.",
+        "r̃ = r/ρ with ρ = V₀²/g: 2 sin θ / (1 + 3 sin²θ) at ε = 0.",
+        f"Equation (13) of {PAPER}, with the right branch for every ε; (15) at ε = 0.",
+        """\
+>>> archerfish.locus_radius(np.radians([10.0, 30.0, 60.0]), 0.1).round(10)
+array([0.3057527794, 0.5333120672, 0.4987823026])
+""",
+    ),
+    "locus_curvature": UfuncDoc(
+        BY_ELEVATION,
+        "Curvature of the locus of apexes, by polar angle.",
+        "ρK with ρ = V₀²/g: 1 at θ = 0, 1 + ε at θ = π/2, positive throughout.",
+        f"Equation (19) of {PAPER}.",
+        """\
+>>> archerfish.locus_curvature(np.radians([0.0, 12.2048522798, 90.0]), 10.0).round(8)
+array([ 1.        , 59.28157766, 11.        ])
+""",
+    ),
+}
+
+_POSITIONAL = inspect.Parameter.POSITIONAL_ONLY
+_KEYWORD = inspect.Parameter.KEYWORD_ONLY
+_OPTIONS = [
+    inspect.Parameter("out", inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None),
+    inspect.Parameter("where", _KEYWORD, default=True),
+    inspect.Parameter("casting", _KEYWORD, default="same_kind"),
+    inspect.Parameter("order", _KEYWORD, default="K"),
+    inspect.Parameter("dtype", _KEYWORD, default=None),
+    inspect.Parameter("subok", _KEYWORD, default=True),
+    inspect.Parameter("signature", _KEYWORD, default=None),
+]
+
+
+def signature(doc: UfuncDoc) -> inspect.Signature:
+    """The call signature: the named inputs, then what every NumPy ufunc takes."""
+    inputs = [inspect.Parameter(name, _POSITIONAL) for name in doc.arguments]
+    return inspect.Signature(inputs + _OPTIONS)
+
+
+def docstring(name: str, doc: UfuncDoc) -> str:
+    """The page of one ufunc, in NumPy's layout."""
+    arguments = "\n".join(f"{key} : array_like\n    {text}" for key, text in doc.arguments.items())
+    return f"""{name}{signature(doc)}
+
+{doc.summary}
+
+Parameters
+----------
+{arguments}
+out, where, casting, order, dtype, subok, signature
+    As for every NumPy ufunc.
+
+Returns
+-------
+ndarray or scalar
+    {doc.returns}
+    The shape is that of the inputs, broadcast together; float32 if every input is
+    float32 or narrower (computed in double precision, then rounded), else float64.
+    NaN, with NumPy's `invalid` warning, outside the domain; a NaN passes quietly.
+
+Source
+------
+{doc.source}
+
+Examples
+--------
+>>> import numpy as np, archerfish
+{doc.example}"""
+
+
+def attach(module: ModuleType) -> None:
+    """Give the ufuncs of `module` their pages, signatures and the place they are imported from."""
+    for name, doc in DOCS.items():
+        ufunc = getattr(module, name)
+        ufunc.__doc__ = docstring(name, doc)
+        ufunc.__signature__ = signature(doc)
+        ufunc.__module__ = "archerfish"
