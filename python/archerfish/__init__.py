@@ -29,12 +29,16 @@ from archerfish._core import (
     log1pmx,
     tree,
 )
+from archerfish.launcher import Launcher
+from archerfish.locus import ApexLocus
 
 __version__ = _core.__version__
 
 _ufunc_docs.attach(_core)
 
 __all__ = [
+    "ApexLocus",
+    "Launcher",
     "__version__",
     "apex_curvature",
     "apex_distance",

@@ -1,6 +1,6 @@
 """The words about every ufunc, as data: the Rust side registers the names, this gives them a page.
 
-Numbers in the examples are rounded so far from the last digit that no platform can flip them.
+The examples print eight digits of values known to forty, so that no last digit can flip them.
 """
 
 import inspect
@@ -34,8 +34,8 @@ DOCS: dict[str, UfuncDoc] = {
         "The w ≥ -1 with w eʷ = z. W₀(-1/e) is -1 and W₀(∞) is ∞.",
         f"{CORLESS}; equation (13) of {PAPER}.",
         """\
->>> archerfish.lambertw0([-0.3, 0.0, 1.0]).round(10)
-array([-0.4894022272,  0.          ,  0.5671432904])
+>>> archerfish.lambertw0([-0.3, 1.0, 10.0])
+array([-0.48940223,  0.56714329,  1.745528  ])
 """,
     ),
     "lambertwm1": UfuncDoc(
@@ -44,8 +44,8 @@ array([-0.4894022272,  0.          ,  0.5671432904])
         "The w ≤ -1 with w eʷ = z. W₋₁(-1/e) is -1 and W₋₁(0) is -∞.",
         f"{CORLESS}; equation (13) of {PAPER} needs it where ε sin α > 2.1461932…",
         """\
->>> archerfish.lambertwm1([-0.3, -0.1, -1e-20]).round(10)
-array([ -1.781337023 ,  -3.577152064 , -49.9650801283])
+>>> archerfish.lambertwm1([-0.3, -0.1, -1e-20])
+array([ -1.78133702,  -3.57715206, -49.96508013])
 """,
     ),
     "lambertw0_offset": UfuncDoc(
@@ -54,8 +54,8 @@ array([ -1.781337023 ,  -3.577152064 , -49.9650801283])
         "The principal branch, counted from the branch point: like √(2 e d) for small d.",
         f"{CORLESS}, section 4 (series at the branch point).",
         """\
->>> archerfish.lambertw0_offset([0.0, 1e-6, 0.1]).round(10)
-array([0.          , 0.0023298337, 0.6006175475])
+>>> archerfish.lambertw0_offset([1e-6, 0.1])
+array([0.00232983, 0.60061755])
 """,
     ),
     "lambertwm1_offset": UfuncDoc(
@@ -64,8 +64,8 @@ array([0.          , 0.0023298337, 0.6006175475])
         "The lower branch, counted from the branch point: like -√(2 e d) for small d.",
         f"{CORLESS}, section 4 (series at the branch point).",
         """\
->>> archerfish.lambertwm1_offset([0.0, 1e-6, 0.1]).round(10)
-array([ 0.          , -0.0023334581, -1.0206252288])
+>>> archerfish.lambertwm1_offset([1e-6, 0.1])
+array([-0.00233346, -1.02062523])
 """,
     ),
     "tree": UfuncDoc(
@@ -74,8 +74,8 @@ array([ 0.          , -0.0023334581, -1.0206252288])
         "The t ≤ 1 with t e⁻ᵗ = z.",
         f"{CORLESS}; equation (14) of {PAPER}.",
         """\
->>> archerfish.tree([0.1, 0.2, 0.3]).round(10)
-array([0.1118325592, 0.2591711018, 0.4894022272])
+>>> archerfish.tree([0.1, 0.2, 0.3])
+array([0.11183256, 0.2591711 , 0.48940223])
 """,
     ),
     "log1pmx": UfuncDoc(
@@ -84,8 +84,8 @@ array([0.1118325592, 0.2591711018, 0.4894022272])
         "At most 0: like -x²/2 for small x, and -∞ at x = -1.",
         f"The numerator of equation (8) of {PAPER}, with the sign turned.",
         """\
->>> archerfish.log1pmx([-0.5, 0.0, 1.0]).round(10)
-array([-0.1931471806,  0.          , -0.3068528194])
+>>> archerfish.log1pmx([-0.5, 1.0])
+array([-0.19314718, -0.30685282])
 """,
     ),
     "apex_x": UfuncDoc(
@@ -94,8 +94,8 @@ array([-0.1931471806,  0.          , -0.3068528194])
         "x = sin α cos α / (1 + ε sin α), in V₀²/g; negative for α > π/2.",
         f"Equation (7) of {PAPER}.",
         """\
->>> archerfish.apex_x(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
-array([0.4123930494, 0.4669795587, 0.3985014629])
+>>> archerfish.apex_x(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.41239305, 0.46697956, 0.39850146])
 """,
     ),
     "apex_y": UfuncDoc(
@@ -104,8 +104,8 @@ array([0.4123930494, 0.4669795587, 0.3985014629])
         "y = (u - ln(1 + u)) / ε² with u = ε sin α, in V₀²/g; sin²α / 2 at ε = 0.",
         f"Equation (8) of {PAPER}.",
         """\
->>> archerfish.apex_y(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
-array([0.1209835831, 0.238806496 , 0.3546647331])
+>>> archerfish.apex_y(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.12098358, 0.2388065 , 0.35466473])
 """,
     ),
     "apex_time": UfuncDoc(
@@ -114,8 +114,8 @@ array([0.1209835831, 0.238806496 , 0.3546647331])
         "t = ln(1 + ε sin α) / ε, in V₀/g; sin α at ε = 0.",
         f"The zero of the vertical velocity, from which (7) and (8) of {PAPER} follow.",
         """\
->>> archerfish.apex_time(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
-array([0.4879016417, 0.6832261316, 0.8305589305])
+>>> archerfish.apex_time(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.48790164, 0.68322613, 0.83055893])
 """,
     ),
     "apex_distance": UfuncDoc(
@@ -124,8 +124,8 @@ array([0.4879016417, 0.6832261316, 0.8305589305])
         "r = √(x² + y²), in V₀²/g.",
         f"Equations (7) and (8) of {PAPER}.",
         """\
->>> archerfish.apex_distance(np.radians([30.0, 45.0, 60.0]), 0.1).round(10)
-array([0.4297732595, 0.5244982849, 0.5334702323])
+>>> archerfish.apex_distance(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.42977326, 0.52449828, 0.53347023])
 """,
     ),
     "apex_elevation": UfuncDoc(
@@ -134,8 +134,8 @@ array([0.4297732595, 0.5244982849, 0.5334702323])
         "θ in radians, in [0, π], rising with α; θ < α < arctan(2 tan θ) for 0 < α < π/2.",
         f"Equation (10) of {PAPER}.",
         """\
->>> np.degrees(archerfish.apex_elevation(np.radians([30.0, 45.0, 60.0]), 0.1)).round(10)
-array([16.3500847124, 27.0845361898, 41.6689567515])
+>>> np.degrees(archerfish.apex_elevation(np.radians([30.0, 45.0, 60.0]), 0.1))
+array([16.35008471, 27.08453619, 41.66895675])
 """,
     ),
     "apex_curvature": UfuncDoc(
@@ -144,7 +144,7 @@ array([16.3500847124, 27.0845361898, 41.6689567515])
         "ρK with ρ = V₀²/g: 1 at α = 0, 1 + ε at α = π/2, positive throughout.",
         f"Section IV of {PAPER}, by launch angle.",
         """\
->>> archerfish.apex_curvature(np.radians([0.0, 45.0, 90.0]), 0.0).round(10)
+>>> archerfish.apex_curvature(np.radians([0.0, 45.0, 90.0]), 0.0)
 array([1., 8., 1.])
 """,
     ),
@@ -154,8 +154,8 @@ array([1., 8., 1.])
         "α in radians, in [0, π]: the inverse of `apex_elevation`.",
         f"Equation (10) of {PAPER}, solved for α.",
         """\
->>> np.degrees(archerfish.locus_launch_angle(np.radians([10.0, 30.0, 60.0]), 0.1)).round(10)
-array([19.2331103372, 48.4317935384, 73.4333066998])
+>>> np.degrees(archerfish.locus_launch_angle(np.radians([10.0, 30.0, 60.0]), 0.1))
+array([19.23311034, 48.43179354, 73.4333067 ])
 """,
     ),
     "locus_launch_angle_d1": UfuncDoc(
@@ -164,7 +164,7 @@ array([19.2331103372, 48.4317935384, 73.4333066998])
         "dα/dθ, without unit: 2 at θ = 0 for every ε.",
         f"Equation (18) of {PAPER}.",
         """\
->>> archerfish.locus_launch_angle_d1(np.radians([10.0, 30.0, 60.0]), 0.1).round(8)
+>>> archerfish.locus_launch_angle_d1(np.radians([10.0, 30.0, 60.0]), 0.1)
 array([1.80187014, 1.13510838, 0.62970059])
 """,
     ),
@@ -174,7 +174,7 @@ array([1.80187014, 1.13510838, 0.62970059])
         "d²α/dθ², in 1/radian.",
         f"Figure 3(b) of {PAPER}, from the closed form of (10) instead of differences.",
         """\
->>> archerfish.locus_launch_angle_d2(np.radians([10.0, 30.0, 60.0]), 0.1).round(8)
+>>> archerfish.locus_launch_angle_d2(np.radians([10.0, 30.0, 60.0]), 0.1)
 array([-1.78960123, -1.6024363 , -0.48199183])
 """,
     ),
@@ -184,8 +184,8 @@ array([-1.78960123, -1.6024363 , -0.48199183])
         "r̃ = r/ρ with ρ = V₀²/g: 2 sin θ / (1 + 3 sin²θ) at ε = 0.",
         f"Equation (13) of {PAPER}, with the right branch for every ε; (15) at ε = 0.",
         """\
->>> archerfish.locus_radius(np.radians([10.0, 30.0, 60.0]), 0.1).round(10)
-array([0.3057527794, 0.5333120672, 0.4987823026])
+>>> archerfish.locus_radius(np.radians([10.0, 30.0, 60.0]), 0.1)
+array([0.30575278, 0.53331207, 0.4987823 ])
 """,
     ),
     "locus_curvature": UfuncDoc(
@@ -194,7 +194,7 @@ array([0.3057527794, 0.5333120672, 0.4987823026])
         "ρK with ρ = V₀²/g: 1 at θ = 0, 1 + ε at θ = π/2, positive throughout.",
         f"Equation (19) of {PAPER}.",
         """\
->>> archerfish.locus_curvature(np.radians([0.0, 12.2048522798, 90.0]), 10.0).round(8)
+>>> archerfish.locus_curvature(np.radians([0.0, 12.2048522798, 90.0]), 10.0)
 array([ 1.        , 59.28157766, 11.        ])
 """,
     ),
