@@ -63,6 +63,8 @@ def rounded(ball: arb, scale: arb | None = None) -> Rounded:
         top = power + mantissa.bit_length() - 1
         own = ulp_power(top)
         whole, part = split(mantissa, power - own)
+        if abs(whole) == 1 << 53 and abs(part) < 1e-9:  # below a power of two by nothing that matters: the ulp of that power
+            top, own, whole, part = top + 1, own + 1, whole // 2, part / 2
     unit = own
     if scale is not None and scale.mid() != 0:
         unit = max(own, ulp_power(exponent(scale)))
@@ -120,6 +122,25 @@ def exact(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bit
                 return rounded(value, scale)
         bits *= 2
     raise ArithmeticError(f"{function.__name__}{arguments} is not narrow at {MOST_BITS} bits")
+
+
+def settled(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bits: int = 192) -> Rounded:
+    """As `exact`, for functions whose balls are not proven: the precision is doubled until two answers agree."""
+    before = exact(function, *arguments, bits=bits)
+    while bits <= MOST_BITS:
+        bits *= 2
+        value = exact(function, *arguments, bits=bits)
+        if agree(before, value):
+            return value
+        before = value
+    raise ArithmeticError(f"{function.__name__}{arguments} does not settle at {MOST_BITS} bits")
+
+
+def agree(a: Rounded, b: Rounded) -> bool:
+    """The same exact value in the same ulp, to 1e-9 of it."""
+    if math.isnan(a.hi) or math.isinf(a.hi):
+        return a.hi == b.hi or (math.isnan(a.hi) and math.isnan(b.hi))
+    return a.ulp == b.ulp and abs((a.hi - b.hi) / a.ulp + a.rest - b.rest) < 1e-9
 
 
 def ulp_errors(got: np.ndarray, hi: np.ndarray, rest: np.ndarray, ulp: np.ndarray) -> np.ndarray:

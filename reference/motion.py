@@ -117,6 +117,7 @@ def proven_root(function: Callable[[arb], arb], start: arb, bits: int) -> arb:
 # The slow road ----------------------------------------------------------------------------------------------------
 
 
+@lru_cache(maxsize=16)
 def slow_apex(alpha: float, eps: float, bits: int) -> Locus:
     inside(alpha, eps)
     return slow_at(arb(alpha), eps, bits)
@@ -126,6 +127,7 @@ def slow_at(alpha: arb, eps: float, bits: int) -> Locus:
     return Locus(alpha, *flow.apex(alpha, arb(eps), bits))
 
 
+@lru_cache(maxsize=16)
 def slow_locus(theta: float, eps: float, bits: int) -> Locus:
     """Newton's method for "the apex is seen at θ", between bounds that every step tightens."""
     inside(theta, eps)
@@ -165,6 +167,23 @@ BY_ELEVATION: dict[str, Callable[[Locus], Value]] = {
     "locus_launch_angle_d2": geometry.launch_angle_d2,
     "locus_radius": geometry.distance,
     "locus_curvature": geometry.curvature,
+}
+
+
+FLIGHT = "v' = (0, -1) - epsilon v from speed 1 at the launch angle"
+DEFINITIONS = {
+    "apex_x": f"x where the vertical velocity of {FLIGHT} is zero",
+    "apex_y": f"y where the vertical velocity of {FLIGHT} is zero",
+    "apex_time": f"the time at which the vertical velocity of {FLIGHT} is zero",
+    "apex_distance": f"the distance from the origin to the apex of {FLIGHT}",
+    "apex_elevation": f"the polar angle of the apex of {FLIGHT}",
+    "apex_curvature": f"the curvature (x' y'' - y' x'')/(x'^2 + y'^2)^(3/2) of the locus of the apexes of {FLIGHT}",
+    "locus_launch_angle": f"the launch angle whose apex, by {FLIGHT}, has the polar angle theta",
+    "locus_launch_angle_d1": f"the derivative by theta of the launch angle whose apex, by {FLIGHT}, has the polar angle theta",
+    "locus_launch_angle_d2": "the second derivative by theta of the launch angle whose apex, by "
+    f"{FLIGHT}, has the polar angle theta; ulp of the larger of it and its greatest term",
+    "locus_radius": f"the distance from the origin to that apex of {FLIGHT} whose polar angle is theta",
+    "locus_curvature": f"the curvature of the locus of the apexes of {FLIGHT} at polar angle theta",
 }
 
 

@@ -1,45 +1,84 @@
 """Every public function: its exact values, its arguments, and the error allowed."""
 
+import zlib
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from reference import elementary, inputs, lambert, motion
-from reference.ball import Rounded, exact
+from reference.ball import Rounded, exact, settled
 from reference.inputs import Arguments
 
 
 class Function(NamedTuple):
+    #: Exact values, fast enough for 10⁵ of them.
     exact: Callable[..., Rounded]
+    #: Exact values by definition alone: what the tables hold.
+    defined: Callable[..., Rounded]
+    #: The definition, in words, for the head of a table.
+    definition: str
+    names: tuple[str, ...]
     arguments: Arguments
     #: The error demanded, in ulp.
     bound: float
 
 
-def by(function: Callable, arguments: Arguments, bound: float = 1.0) -> Function:
-    return Function(lambda *a: exact(function, *a), arguments, bound)
+def direct(function: Callable, definition: str, names: str, arguments: Arguments) -> Function:
+    """A function whose proven balls are both the fast values and the definition."""
 
+    def value(*row: float) -> Rounded:
+        return exact(function, *row)
+
+    return Function(value, value, definition, tuple(names.split()), arguments, 1.0)
+
+
+def by_road(name: str, angle: str, fast: motion.Road, slow: motion.Road, quantity: Callable) -> Function:
+    quick, defined = motion.along(fast, quantity), motion.along(slow, quantity)
+    return Function(
+        lambda *row: exact(quick, *row),
+        lambda *row: settled(defined, *row),
+        motion.DEFINITIONS[name],
+        (angle, "epsilon"),
+        inputs.MOTION,
+        2.0,
+    )
+
+
+BY_ANGLE: dict[str, Function] = {
+    name: by_road(name, "alpha", motion.fast_apex, motion.slow_apex, quantity)
+    for name, quantity in motion.BY_LAUNCH_ANGLE.items()
+} | {
+    name: by_road(name, "theta", motion.fast_locus, motion.slow_locus, quantity)
+    for name, quantity in motion.BY_ELEVATION.items()
+}
 
 FUNCTIONS: dict[str, Function] = {
-    "exp": by(elementary.exp, inputs.EXP),
-    "ln": by(elementary.ln, inputs.LN),
-    "ln_1p": by(elementary.ln_1p, inputs.LN_1P),
-    "exp_m1": by(elementary.exp_m1, inputs.EXP),
-    "sin": by(elementary.sin, inputs.CIRCLE),
-    "cos": by(elementary.cos, inputs.CIRCLE),
-    "tan": by(elementary.tan, inputs.CIRCLE),
-    "atan": by(elementary.atan, inputs.ATAN),
-    "atan2": by(elementary.atan2, inputs.ATAN2),
-    "log1pmx": by(elementary.log1pmx, inputs.LOG1PMX),
-    "lambertw0": by(lambert.lambertw0, inputs.W0),
-    "lambertwm1": by(lambert.lambertwm1, inputs.WM1),
-    "lambertw0_offset": by(lambert.lambertw0_offset, inputs.W0_OFFSET),
-    "lambertwm1_offset": by(lambert.lambertwm1_offset, inputs.WM1_OFFSET),
-    "tree": by(lambert.tree, inputs.TREE),
-    **{name: by(motion.along(motion.fast_apex, q), inputs.MOTION, 2.0) for name, q in motion.BY_LAUNCH_ANGLE.items()},
-    **{name: by(motion.along(motion.fast_locus, q), inputs.MOTION, 2.0) for name, q in motion.BY_ELEVATION.items()},
+    "exp": direct(elementary.exp, "e^x", "x", inputs.EXP),
+    "ln": direct(elementary.ln, "the natural logarithm of x", "x", inputs.LN),
+    "ln_1p": direct(elementary.ln_1p, "ln(1 + x)", "x", inputs.LN_1P),
+    "exp_m1": direct(elementary.exp_m1, "e^x - 1", "x", inputs.EXP),
+    "sin": direct(elementary.sin, "sin x", "x", inputs.CIRCLE),
+    "cos": direct(elementary.cos, "cos x", "x", inputs.CIRCLE),
+    "tan": direct(elementary.tan, "tan x", "x", inputs.CIRCLE),
+    "atan": direct(elementary.atan, "arctan x", "x", inputs.ATAN),
+    "atan2": direct(elementary.atan2, "the angle of the point (x, y)", "y x", inputs.ATAN2),
+    "log1pmx": direct(elementary.log1pmx, "ln(1 + x) - x", "x", inputs.LOG1PMX),
+    "lambertw0": direct(lambert.lambertw0, "the root w >= -1 of w e^w = z; -1 at the double nearest -1/e", "z", inputs.W0),
+    "lambertwm1": direct(lambert.lambertwm1, "the root w <= -1 of w e^w = z; -1 at the double nearest -1/e", "z", inputs.WM1),
+    "lambertw0_offset": direct(lambert.lambertw0_offset, "the root v >= 0 of (v-1) e^(v-1) = d - 1/e", "d", inputs.W0_OFFSET),
+    "lambertwm1_offset": direct(
+        lambert.lambertwm1_offset, "the root v <= 0 of (v-1) e^(v-1) = d - 1/e", "d", inputs.WM1_OFFSET
+    ),
+    "tree": direct(lambert.tree, "the root t <= 1 of t e^-t = z; 1 at the double nearest 1/e", "z", inputs.TREE),
+    **BY_ANGLE,
 }
+
+
+def stream(arguments: Arguments) -> int:
+    """A key for the random numbers of these arguments, from the first function that has them."""
+    name = next(name for name, function in FUNCTIONS.items() if function.arguments is arguments)
+    return zlib.crc32(name.encode())
 
 
 def sample(name: str, count: int, seed: Sequence[int] | int) -> tuple[np.ndarray, ...]:
