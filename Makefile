@@ -1,0 +1,76 @@
+# Every task by name. Needed beforehand: Python 3.11+, a Rust toolchain, gcc and make; everything
+# else goes to .venv, at the versions of requirements/*.lock.
+
+SHELL := bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+
+export PATH := $(PATH):$(or $(CARGO_HOME),$(HOME)/.cargo)/bin
+export VIRTUAL_ENV := $(CURDIR)/.venv
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export RUSTDOCFLAGS := -D warnings
+
+bin := .venv/bin
+pip_install := $(bin)/python -m pip install --quiet --no-input --require-hashes
+sources := Cargo.toml Cargo.lock pyproject.toml $(shell find crates -name Cargo.toml -o -path '*/src/*.rs')
+
+.PHONY: help demo test check lint docs bench figures accuracy locks clean
+
+help: ## Show this list
+	@sed -nE 's/^([a-z]+):[^#]*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
+
+demo: .venv/package ## Compute the locus of the README, its table, CSV and Figure 1, under out/
+	@mkdir -p out
+	@$(bin)/archerfish locus --speed 10 --epsilon 0.1
+
+test: .venv/test .venv/package ## Run the Rust tests, then the Python tests
+	cargo test --workspace --locked --quiet
+	$(bin)/python -m pytest --quiet
+
+check: ## Run the linters, the documentation's examples and the tests, as CI does
+	@$(MAKE) --no-print-directory lint
+	@$(MAKE) --no-print-directory docs
+	@$(MAKE) --no-print-directory test
+
+lint: .venv/dev .venv/package ## Check format, clippy, ruff, mypy --strict and the stub
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
+	$(bin)/ruff check --quiet
+	$(bin)/ruff format --check --quiet
+	$(bin)/mypy
+
+docs: .venv/test .venv/package ## Build the Rust pages without a warning; run every example in the prose
+	cargo doc --workspace --no-deps --locked --quiet
+	$(bin)/python -m pytest --quiet --doctest-glob='*.md' README.md docs
+
+bench: .venv/test .venv/package ## Time and compare with the textbook forms and other libraries
+	$(bin)/python bench/compare.py
+
+figures: .venv/package ## Draw every figure into out/figures
+	$(bin)/python -m archerfish.figures out/figures
+
+accuracy: .venv/test .venv/package ## Measure the worst errors and hold them against the record
+	$(bin)/python -m reference.accuracy
+
+locks: .venv/dev ## Choose the versions in requirements/*.lock anew
+	tools/lock
+
+clean: ## Remove what these tasks made
+	rm -rf .venv target out
+
+# The environment. A file in it stands for each finished step, so that a second run is quick.
+
+.venv/made: tools/need
+	@python=$$(tools/need) && rm -rf .venv && "$$python" -m venv .venv
+	@touch $@
+
+.venv/demo .venv/test .venv/dev: .venv/%: requirements/%.lock requirements/build.lock | .venv/made
+	$(pip_install) -r requirements/build.lock -r $<
+	@touch $@
+
+.venv/package: $(sources) | .venv/demo
+	@tools/need > /dev/null
+	$(bin)/maturin develop --release --locked --quiet
+	@touch $@
