@@ -1,0 +1,72 @@
+r"""Whole trajectories, from launch to landing, for drawing.
+
+One parameter σ makes linear drag look like no drag at all. With the time t = ln(1 + εσ)/ε (which is
+σ without drag) the equation of motion has the solution, in units of V₀²/g and V₀,
+
+    ẋ = cos α / (1 + εσ),        ẏ = (sin α − σ) / (1 + εσ),
+    x = σ cos α / (1 + εσ),      y = σ (sin α − σ κ(εσ)) / (1 + εσ),
+
+    κ(u) = ((1 + u) ln(1 + u) − u) / u²,    κ(0) = 1/2, decreasing.
+
+So the velocity points along (cos α, sin α − σ), as in the drag-free problem; the apex is at
+σ = sin α, the landing at σ κ(εσ) = sin α, and ε = 0 is an ordinary point.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from archerfish import apex_time, apex_y
+
+Array = NDArray[np.float64]
+
+BISECTIONS = 60
+"""Halvings that bring an interval of order one down to the spacing of doubles."""
+
+
+def fall(u: ArrayLike) -> Array:
+    """Return κ(u), for u ≥ 0: the drag-free 1/2 of a falling body, changed by drag.
+
+    Both forms come from a vertical shot at drag u, whose apex lies φ(u) high and is reached at
+    ln(1 + u)/u. The first is exact at u = 0, the second does not cancel as u → ∞.
+    """
+    u = np.asarray(u, dtype=np.float64)
+    vertical = np.pi / 2
+    growth = 1.0 + u
+    near = 1.0 - growth * apex_y(vertical, u)
+    far = (growth * apex_time(vertical, u) - 1.0) / np.maximum(u, 1.0)
+    return np.asarray(np.where(u < 1.0, near, far))
+
+
+def trajectories(
+    launch_angle: ArrayLike, epsilon: float, samples: int = 181
+) -> tuple[Array, Array]:
+    """Return x and y, in V₀²/g, of whole flights from launch to landing on level ground.
+
+    ``launch_angle`` has shape (n,), in radians from 0 to π; x and y have shape (n, samples). The
+    point halfway is not the apex: points are spread evenly in the angle χ of σ = (1 + tan χ) sin α.
+    Solutions of the equation of motion (paper, equations 1 to 6) in the form of this module.
+    """
+    alpha = np.asarray(launch_angle, dtype=np.float64)[:, np.newaxis]
+    sine, cosine = np.sin(alpha), np.cos(alpha)
+
+    def above_ground(spread: Array) -> NDArray[np.bool_]:
+        sigma = (1.0 + np.tan(spread)) * sine
+        return np.asarray(sine > sigma * fall(epsilon * sigma))
+
+    early, late = np.full_like(alpha, np.pi / 4), np.full_like(alpha, np.pi / 2)
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (early + late)
+        above = above_ground(middle)
+        early, late = np.where(above, middle, early), np.where(above, late, middle)
+
+    start = -np.pi / 4
+    spread = start + (early - start) * np.linspace(0.0, 1.0, samples)
+    sigma = np.maximum(1.0 + np.tan(spread), 0.0) * sine
+    u = epsilon * sigma
+    x = sigma * cosine / (1.0 + u)
+    y = sigma * (sine - sigma * fall(u)) / (1.0 + u)
+    # With strong drag the fall is so steep that no double lies between the wall and the ground.
+    y[:, -1] = 0.0
+    return x, y
