@@ -1,13 +1,58 @@
-//! Functions of one real number.
-// provisional bodies
-#[inline(always)] pub fn exp(x: f64) -> f64 { x.exp() }
-#[inline(always)] pub fn ln(x: f64) -> f64 { x.ln() }
-#[inline(always)] pub fn ln_1p(x: f64) -> f64 { x.ln_1p() }
-#[inline(always)] pub fn exp_m1(x: f64) -> f64 { x.exp_m1() }
-#[inline(always)] pub fn sin_cos(x: f64) -> (f64, f64) { x.sin_cos() }
-#[inline(always)] pub fn tan(x: f64) -> f64 { x.tan() }
-#[inline(always)] pub fn atan(x: f64) -> f64 { x.atan() }
-#[inline(always)] pub fn atan2(y: f64, x: f64) -> f64 { y.atan2(x) }
-#[inline(always)] pub fn log1pmx(x: f64) -> f64 {
-    if x.abs() < 0.1 { let (mut s, mut p) = (0.0, x); for k in 2..40 { p *= -x; s += p / k as f64; } s } else { x.ln_1p() - x }
+//! Functions of one real number, branch-free, from +, −, ×, ÷, √ and integer operations alone.
+//!
+//! Every function is right to within one unit in the last place for every argument, subnormals,
+//! infinities and NaN included, and gives the same bits on every machine. The trigonometric
+//! functions take angles in [−2π, 2π] and give NaN outside. Worst errors: reference/accuracy.toml.
+//!
+//! Inside the crate the functions also come as sums of two doubles, for callers that go on
+//! computing.
+
+mod atan;
+pub(crate) mod double_double;
+mod exp;
+mod log;
+mod log1pmx;
+mod polynomial;
+mod sqrt;
+mod trigonometric;
+
+pub use atan::{atan, atan2};
+pub use exp::{exp, exp_m1};
+pub use log::{ln, ln_1p};
+pub use log1pmx::log1pmx;
+pub use sqrt::sqrt;
+pub use trigonometric::{cos, sin, sin_cos, tan};
+
+pub(crate) use atan::angle;
+pub(crate) use exp::Exponential;
+pub(crate) use log::Logarithm;
+pub(crate) use polynomial::polynomial;
+pub(crate) use trigonometric::sin_cos_extended;
+
+/// `a` where the condition holds, else `b`: both are computed, one is kept.
+#[inline(always)]
+pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {
+    if condition { a } else { b }
 }
+
+/// `2ⁿ` for an integer `n` in [−1022, 1023], held in a double.
+#[inline(always)]
+pub(crate) fn power_of_two(n: f64) -> f64 {
+    // 1.5·2⁵² + 1023 + n has 1023 + n in its low bits
+    f64::from_bits((n + (MAGIC + 1023.0)).to_bits() << 52)
+}
+
+/// Adding and subtracting this rounds a number below 2⁵¹ to an integer, which then also stands in
+/// the low bits of the sum.
+pub(crate) const MAGIC: f64 = 6755399441055744.0; // 1.5·2⁵²
+
+/// The integer nearest to `x`, |x| < 2⁵¹.
+#[inline(always)]
+pub(crate) fn nearest_integer(x: f64) -> f64 {
+    (x + MAGIC) - MAGIC
+}
+
+/// Low and high part of ln 2; the high part has 42 bits, so that integers below 2¹¹ multiply it
+/// exactly.
+pub(crate) const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fefa_3800);
+pub(crate) const LN2_LO: f64 = f64::from_bits(0x3d2e_f357_93c7_6730);

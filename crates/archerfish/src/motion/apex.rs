@@ -1,0 +1,80 @@
+//! The apex of one shot, by launch angle: equations (7), (8), (10).
+
+use super::launch::{Launch, Scaled, within_domain};
+use crate::real::angle;
+use crate::real::double_double::DoubleDouble;
+
+impl Launch {
+    /// `x = sin α cos α / (1 + u)`
+    #[inline(always)]
+    pub fn x(&self) -> DoubleDouble {
+        self.sin.mul(self.cos).div(self.drag.q)
+    }
+
+    /// `y = sin²α φ(u)`
+    #[inline(always)]
+    pub fn y(&self) -> DoubleDouble {
+        self.sin.square().mul(self.drag.phi())
+    }
+
+    /// `t = sin α ln(1 + u)/u`
+    #[inline(always)]
+    pub fn time(&self) -> DoubleDouble {
+        self.sin.mul(self.drag.mean_slowness())
+    }
+
+    /// `r = sin α √Q / (1 + u)`, which is x/cos θ
+    #[inline(always)]
+    pub fn distance(&self) -> DoubleDouble {
+        self.sin.mul(self.stretch().sqrt()).div(self.drag.q)
+    }
+
+    /// θ, from `tan θ = G(u) tan α`
+    #[inline(always)]
+    pub fn elevation(&self) -> DoubleDouble {
+        angle(self.sin.mul(self.drag.gain()), self.cos)
+    }
+}
+
+/// Horizontal distance of the apex, `sin α cos α / (1 + ε sin α)`, in V₀²/g.  [Eq. 7]
+///
+/// Limits: `sin α cos α` as ε → 0; `cos α / ε` as ε → ∞. Negative for α > π/2.
+#[inline(always)]
+pub fn apex_x(alpha: f64, eps: f64) -> f64 {
+    let scaled = Scaled::new(alpha, eps);
+    within_domain(alpha, eps, scaled.launch().x().round() * scaled.back)
+}
+
+/// Height of the apex, `sin²α · φ(ε sin α)`, in V₀²/g.  [Eq. 8]
+///
+/// Limits: `sin²α / 2` as ε → 0; `sin α / ε` as ε → ∞.
+#[inline(always)]
+pub fn apex_y(alpha: f64, eps: f64) -> f64 {
+    let scaled = Scaled::new(alpha, eps);
+    within_domain(alpha, eps, scaled.launch().y().round() * scaled.back * scaled.back)
+}
+
+/// Time from launch to apex, `ln(1 + ε sin α)/ε`, in V₀/g.
+///
+/// Limits: `sin α` as ε → 0; `ln(ε sin α)/ε` as ε → ∞.
+#[inline(always)]
+pub fn apex_time(alpha: f64, eps: f64) -> f64 {
+    let scaled = Scaled::new(alpha, eps);
+    within_domain(alpha, eps, scaled.launch().time().round() * scaled.back)
+}
+
+/// Distance of the apex from the launch point, in V₀²/g.
+#[inline(always)]
+pub fn apex_distance(alpha: f64, eps: f64) -> f64 {
+    let scaled = Scaled::new(alpha, eps);
+    within_domain(alpha, eps, scaled.launch().distance().round() * scaled.back)
+}
+
+/// Elevation θ of the apex seen from the launch point, in radians, in [0, π].  [Eq. 10]
+///
+/// Limits: `tan θ = tan α / 2` as ε → 0; `θ = α` as ε → ∞.
+#[inline(always)]
+pub fn apex_elevation(alpha: f64, eps: f64) -> f64 {
+    let scaled = Scaled::new(alpha, eps);
+    within_domain(alpha, eps, scaled.launch().elevation().round() * scaled.back)
+}

@@ -1,0 +1,77 @@
+//! One launch: the direction, and the drag it meets.
+
+use super::drag::Drag;
+use crate::real::double_double::DoubleDouble;
+use crate::real::{select, sin_cos_extended};
+
+/// A launch at angle α with drag parameter ε.
+pub(crate) struct Launch {
+    pub sin: DoubleDouble,
+    pub cos: DoubleDouble,
+    pub epsilon: f64,
+    /// `u = ε sin α`
+    pub u: DoubleDouble,
+    pub drag: Drag,
+}
+
+impl Launch {
+    /// In the direction (cos α, sin α).
+    #[inline(always)]
+    pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: f64) -> Self {
+        let u = sin.mul_double(epsilon);
+        Launch { sin, cos, epsilon, u, drag: Drag::at(u) }
+    }
+
+    /// At the angle α in [0, π].
+    #[inline(always)]
+    pub fn at(alpha: f64, epsilon: f64) -> Self {
+        let (sin, cos) = sin_cos_extended(alpha);
+        Launch::new(sin, cos, epsilon)
+    }
+
+    /// `Q = cos²α + G² sin²α`: cos θ is cos α/√Q.
+    #[inline(always)]
+    pub fn stretch(&self) -> DoubleDouble {
+        self.cos.square().add(self.sin.mul(self.drag.gain()).square())
+    }
+}
+
+/// Whether the functions of this module take the angle and the drag parameter.
+#[inline(always)]
+pub(crate) fn in_domain(angle: f64, epsilon: f64) -> bool {
+    (angle >= 0.0) & (angle <= core::f64::consts::PI) & (epsilon >= 0.0) & (epsilon < f64::INFINITY)
+}
+
+/// `value` where the angle and the drag parameter are in the domain, else NaN.
+#[inline(always)]
+pub(crate) fn within_domain(angle: f64, epsilon: f64, value: f64) -> f64 {
+    select(in_domain(angle, epsilon), value, f64::NAN)
+}
+
+/// An angle so small that lengths, being proportional to it or to its square, would be subnormal
+/// on the way; a problem alike to it, `factor` times as large, has none of that.
+pub(crate) struct Scaled {
+    pub angle: f64,
+    pub epsilon: f64,
+    /// what to multiply angles and lengths with in the end
+    pub back: f64,
+}
+
+impl Scaled {
+    /// With all angles below 2⁻⁵⁰⁰ multiplied by 2⁴⁰⁰, and ε sin α kept.
+    #[inline(always)]
+    pub fn new(angle: f64, epsilon: f64) -> Self {
+        const FACTOR: f64 = f64::from_bits((1023 + 400) << 52);
+        const INVERSE: f64 = f64::from_bits((1023 - 400) << 52);
+        const TINY: f64 = f64::from_bits((1023 - 500) << 52);
+        let tiny = angle < TINY;
+        let back = select(tiny, INVERSE, 1.0);
+        Scaled { angle: angle * select(tiny, FACTOR, 1.0), epsilon: epsilon * back, back }
+    }
+
+    /// The launch at the scaled angle.
+    #[inline(always)]
+    pub fn launch(&self) -> Launch {
+        Launch::at(self.angle, self.epsilon)
+    }
+}

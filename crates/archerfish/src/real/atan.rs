@@ -1,0 +1,88 @@
+//! Inverse tangent, of a number and of a ratio.
+//!
+//! Method: of the ratio's two numbers the smaller is divided by the greater; a quotient above
+//! tan(π/8) becomes (n − d)/(n + d), an eighth of a turn further on. There is one division.
+
+use super::double_double::{DoubleDouble, fast_two_sum};
+use super::{polynomial, power_of_two, select};
+
+// atan_tail: minimax on [0.0, 0.17159], degree 11,
+// weighted error 3.07e-18: reference/coefficients.py atan_tail
+const ATAN_TAIL: [f64; 12] = [
+    -0.33333333333333326,
+    0.19999999999997692,
+    -0.1428571428539078,
+    0.11111111088351018,
+    -0.09090908150796073,
+    0.07692282900743969,
+    -0.06666228860352462,
+    0.05877042433517611,
+    -0.052185374696342546,
+    0.045040914795128874,
+    -0.03348709642385551,
+    0.015208009492690055,
+];
+const TAN_EIGHTH_PI: f64 = 0.41421356237309503;
+
+/// π/4 in two parts; the first has 50 bits, so that 3 multiplies it exactly.
+const QUARTER_PI: DoubleDouble = DoubleDouble {
+    hi: f64::from_bits(0x3fe9_21fb_5444_2d18),
+    lo: f64::from_bits(0x3c81_a626_3314_5c07),
+};
+
+/// The angle in [0, π] of the direction (x, y), y ≥ 0, not both zero, neither infinite and their
+/// sum neither over- nor underflowing: to 2⁻⁵⁷ of itself.
+#[inline(always)]
+pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
+    let left = x.hi < 0.0;
+    let across = DoubleDouble::select(left, x.neg(), x);
+    let steep = y.hi > across.hi;
+    let less = DoubleDouble::select(steep, across, y);
+    let more = DoubleDouble::select(steep, y, across);
+    let diagonal = less.hi > TAN_EIGHTH_PI * more.hi;
+    let numerator = DoubleDouble::select(diagonal, less.sub(more), less);
+    let denominator = DoubleDouble::select(diagonal, less.add(more), more);
+    let t = numerator.div(denominator);
+    let z = t.hi * t.hi;
+    let tail = t.hi * z * polynomial(z, &ATAN_TAIL);
+    // eighths of a turn passed, and the sense in which the rest is added
+    let eighths = select(diagonal, 1.0, 0.0);
+    let eighths = select(steep, 2.0 - eighths, eighths);
+    let eighths = select(left, 4.0 - eighths, eighths);
+    let sense = select(steep != left, -1.0, 1.0);
+    let sum = fast_two_sum(eighths * QUARTER_PI.hi, sense * t.hi);
+    fast_two_sum(sum.hi, sum.lo + (eighths * QUARTER_PI.lo + sense * (t.lo + tail)))
+}
+
+/// `arctan x`.
+#[inline(always)]
+pub fn atan(x: f64) -> f64 {
+    // beyond 2¹⁰⁰ the result is π/2 to the last bit
+    let size = select(x.abs() > 1e30, 1e30, x.abs());
+    let regular = angle(DoubleDouble::from(size), DoubleDouble::from(1.0)).round();
+    let regular = select(x.abs() < 1e-300, x, regular.copysign(x));
+    select(x.is_nan(), x, regular)
+}
+
+/// The angle in [−π, π] of the direction (x, y), with the signs of zeros and the infinities as in
+/// C's `atan2`.
+#[inline(always)]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    // infinities act as the directions (±1, 0), (0, ±1), (±1, ±1); (0, 0) as (±1, 0)
+    let infinite = x.abs() == f64::INFINITY || y.abs() == f64::INFINITY;
+    let unit = |a: f64| select(a.abs() == f64::INFINITY, 1.0, 0.0);
+    let across = select(infinite, unit(x), x.abs());
+    let up = select(infinite, unit(y), y.abs());
+    let across = select(across + up == 0.0, 1.0, across);
+    // a power of two brings the greater near 1 (in two steps: the exponents differ by up to 2098)
+    let greatest = select(across > up, across, up);
+    let exponent = f64::from_bits((greatest.to_bits() >> 52) | 0x4330_0000_0000_0000)
+        - (4503599627370496.0 + 1023.0);
+    let half = super::nearest_integer(0.5 * exponent);
+    let scale = |a: f64| a * power_of_two(-half) * power_of_two(half - exponent);
+    let scaled =
+        angle(DoubleDouble::from(scale(up)), DoubleDouble::from(scale(across).copysign(x))).round();
+    // a direction this close to the positive x axis is its own angle, and may be subnormal
+    let regular = select(x > 0.0 && up < 1e-280 * across, up / across, scaled);
+    select(x.is_nan() || y.is_nan(), f64::NAN, regular.copysign(y))
+}

@@ -1,0 +1,147 @@
+//! Unevaluated sums of two doubles, for the few places where one rounding is one too many.
+//!
+//! References: T. J. Dekker, Numer. Math. 18 (1971); D. E. Knuth, TAOCP 2, §4.2.2.
+//! Products split their factors by masking, so that no fused instruction is needed and nothing
+//! overflows that the product itself does not.
+
+/// The sum `hi + lo`, with `|lo|` far below `|hi|`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DoubleDouble {
+    pub hi: f64,
+    pub lo: f64,
+}
+
+/// The leading 26 bits of `a`, and the rest: their sum is `a`, products of two heads are exact.
+#[inline(always)]
+pub(crate) fn split(a: f64) -> (f64, f64) {
+    let head = f64::from_bits(a.to_bits() & 0xffff_ffff_f800_0000);
+    (head, a - head)
+}
+
+/// `a + b` exactly, for any two numbers.
+#[inline(always)]
+pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    let b_part = hi - a;
+    let lo = (a - (hi - b_part)) + (b - b_part);
+    DoubleDouble { hi, lo }
+}
+
+/// `a + b` exactly, where `a` is zero or its exponent is at least that of `b`.
+#[inline(always)]
+pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    DoubleDouble { hi, lo: b - (hi - a) }
+}
+
+/// `a * b` to 2⁻¹⁰⁶ of itself.
+#[inline(always)]
+pub(crate) fn two_product(a: f64, b: f64) -> DoubleDouble {
+    let (a_head, a_tail) = split(a);
+    let (b_head, b_tail) = split(b);
+    let hi = a * b;
+    let lo = ((a_head * b_head - hi) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail;
+    DoubleDouble { hi, lo }
+}
+
+impl DoubleDouble {
+    /// A double as it is.
+    #[inline(always)]
+    pub fn from(a: f64) -> Self {
+        DoubleDouble { hi: a, lo: 0.0 }
+    }
+
+    /// The nearest double.
+    #[inline(always)]
+    pub fn round(self) -> f64 {
+        self.hi + self.lo
+    }
+
+    /// `self + b`, to 2⁻¹⁰⁴ of the greater of the two.
+    #[inline(always)]
+    pub fn add(self, b: Self) -> Self {
+        let sum = two_sum(self.hi, b.hi);
+        fast_two_sum(sum.hi, sum.lo + (self.lo + b.lo))
+    }
+
+    /// `self - b`, to 2⁻¹⁰⁴ of the greater of the two.
+    #[inline(always)]
+    pub fn sub(self, b: Self) -> Self {
+        self.add(b.neg())
+    }
+
+    /// `self + b` where `b` is one double.
+    #[inline(always)]
+    pub fn add_double(self, b: f64) -> Self {
+        let sum = two_sum(self.hi, b);
+        fast_two_sum(sum.hi, sum.lo + self.lo)
+    }
+
+    /// `-self`.
+    #[inline(always)]
+    pub fn neg(self) -> Self {
+        DoubleDouble { hi: -self.hi, lo: -self.lo }
+    }
+
+    /// `self * b`, to 2⁻⁷⁸ of itself.
+    #[inline(always)]
+    pub fn mul(self, b: Self) -> Self {
+        let (a_head, a_tail) = split(self.hi);
+        let (b_head, b_tail) = split(b.hi);
+        let (a_tail, b_tail) = (a_tail + self.lo, b_tail + b.lo);
+        fast_two_sum(a_head * b_head, (a_head * b_tail + a_tail * b_head) + a_tail * b_tail)
+    }
+
+    /// `self * b` where `b` is one double, to 2⁻⁷⁸ of itself.
+    #[inline(always)]
+    pub fn mul_double(self, b: f64) -> Self {
+        self.mul(DoubleDouble::from(b))
+    }
+
+    /// `self * b` where `b` is a power of two.
+    #[inline(always)]
+    pub fn scale(self, b: f64) -> Self {
+        DoubleDouble { hi: self.hi * b, lo: self.lo * b }
+    }
+
+    /// `self²`, to 2⁻⁷⁸ of itself.
+    #[inline(always)]
+    pub fn square(self) -> Self {
+        let (head, tail) = split(self.hi);
+        let tail = tail + self.lo;
+        fast_two_sum(head * head, tail * (2.0 * head + tail))
+    }
+
+    /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself.
+    #[inline(always)]
+    pub fn div_by(self, b: Self, inverse: f64) -> Self {
+        let quotient = self.hi * inverse;
+        let product = two_product(quotient, b.hi);
+        let rest = ((self.hi - product.hi) - product.lo) + (self.lo - quotient * b.lo);
+        fast_two_sum(quotient, rest * inverse)
+    }
+
+    /// `self / b`, to 2⁻¹⁰⁰ of itself.
+    #[inline(always)]
+    pub fn div(self, b: Self) -> Self {
+        self.div_by(b, 1.0 / b.hi)
+    }
+
+    /// `√self`, to 2⁻¹⁰⁰ of itself; NaN at zero.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = super::sqrt(self.hi);
+        let square = two_product(root, root);
+        let rest = ((self.hi - square.hi) - square.lo) + self.lo;
+        fast_two_sum(root, rest / (root + root))
+    }
+
+    /// `a` where the condition holds, else `b`.
+    #[inline(always)]
+    pub fn select(condition: bool, a: Self, b: Self) -> Self {
+        DoubleDouble {
+            hi: super::select(condition, a.hi, b.hi),
+            lo: super::select(condition, a.lo, b.lo),
+        }
+    }
+}

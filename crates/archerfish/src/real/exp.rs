@@ -1,0 +1,80 @@
+//! Exponential function.
+//!
+//! Method: `x = n ln 2 + r` with |r| ≤ ln 2 / 2, `eˣ = 2ⁿ (1 + m)` with
+//! `m = eʳ − 1 = r + r²/2 + r³ p(r)`, the first two terms as exact sums.
+
+use super::double_double::{DoubleDouble, fast_two_sum, split, two_sum};
+use super::{LN2_HI, LN2_LO, nearest_integer, polynomial, power_of_two, select};
+
+// exp_tail: minimax on [-0.346608, 0.346608], degree 9,
+// weighted error 5.67e-19: reference/coefficients.py exp_tail
+const EXP_TAIL: [f64; 10] = [
+    0.16666666666666682,
+    0.0416666666666667,
+    0.008333333333316862,
+    0.001388888888886544,
+    0.00019841269896814676,
+    2.4801587364565682e-05,
+    2.755723444112762e-06,
+    2.7557239111025226e-07,
+    2.511217853920545e-08,
+    2.0925553806370703e-09,
+];
+
+/// `eˣ = 2ⁿ (1 + m)`, n an integer, |m| < 0.42, m to 2⁻⁵⁸ of itself.
+pub(crate) struct Exponential {
+    pub n: f64,
+    pub m: DoubleDouble,
+}
+
+impl Exponential {
+    /// Of a number below 2¹⁰ in size.
+    #[inline(always)]
+    pub fn of(x: f64) -> Self {
+        let n = nearest_integer(x * core::f64::consts::LOG2_E);
+        let r = two_sum(x - n * LN2_HI, -(n * LN2_LO));
+        let (head, rest) = split(r.hi);
+        let tail = r.hi * r.hi * r.hi * polynomial(r.hi, &EXP_TAIL);
+        // r²/2 = head²/2 + (r + head) rest/2; r.lo enters with its derivative 1 + r + …
+        let m = fast_two_sum(r.hi, 0.5 * head * head);
+        let small = 0.5 * ((r.hi + head) * rest) + (tail + r.lo * (1.0 + r.hi));
+        Exponential { n, m: fast_two_sum(m.hi, m.lo + small) }
+    }
+
+    /// `1 + m`.
+    #[inline(always)]
+    pub fn significand(&self) -> DoubleDouble {
+        let sum = fast_two_sum(1.0, self.m.hi);
+        fast_two_sum(sum.hi, sum.lo + self.m.lo)
+    }
+}
+
+/// Arguments beyond which nothing changes any more: e⁷¹⁰ overflows, e⁻⁷⁴⁶ is zero.
+#[inline(always)]
+fn clamp(x: f64) -> f64 {
+    let x = select(x > 710.0, 710.0, x);
+    select(x < -746.0, -746.0, x)
+}
+
+/// `eˣ`.
+#[inline(always)]
+pub fn exp(x: f64) -> f64 {
+    let exponential = Exponential::of(clamp(x));
+    let half = nearest_integer(0.5 * exponential.n);
+    // in two steps: neither overflows before the result does, and a subnormal is rounded once
+    exponential.significand().round() * power_of_two(half) * power_of_two(exponential.n - half)
+}
+
+/// `eˣ − 1`.
+#[inline(always)]
+pub fn exp_m1(x: f64) -> f64 {
+    // below −60 the result is −1 to the last bit, and a smaller power of two would be useless
+    let exponential = Exponential::of(select(x < -60.0, -60.0, clamp(x)));
+    // half of the power, so that x between 709.4 and 709.78 does not overflow on the way
+    let half_power = power_of_two(exponential.n - 1.0);
+    let whole = two_sum(half_power, -0.5);
+    let scaled = exponential.m.scale(half_power);
+    let sum = two_sum(whole.hi, scaled.hi);
+    let regular = 2.0 * (sum.hi + (sum.lo + (whole.lo + scaled.lo)));
+    select(x.abs() < 1e-300, x, regular)
+}

@@ -1,0 +1,97 @@
+//! Natural logarithm.
+//!
+//! Method: `w = 2ᵏ (1 + f)` with 1 + f in [√½, √2); with s = f/(2 + f),
+//! `ln(1 + f) = 2 artanh s = 2s + 2s³ ρ(s²)`, `ρ(z) = (artanh(√z)/√z − 1)/z`.
+//! The argument may be a sum of two doubles, and s is one, so that only the small last term is
+//! rounded.
+
+use super::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::{LN2_HI, LN2_LO, polynomial, select};
+
+// atanh_tail: minimax on [0.0, 0.0294402], degree 6,
+// weighted error 1.11e-18: reference/coefficients.py atanh_tail
+const ATANH_TAIL: [f64; 7] = [
+    0.20000000000000304,
+    0.14285714285451925,
+    0.1111111118773474,
+    0.09090898493067041,
+    0.07693090035210214,
+    0.06635058852988684,
+    0.06537250941124745,
+];
+const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
+
+/// The pieces of `ln w`, `w = 2ᵏ (1 + f)`.
+pub(crate) struct Logarithm {
+    pub k: f64,
+    pub f: DoubleDouble,
+    /// `f / (2 + f)`
+    pub s: DoubleDouble,
+    /// `ρ(s²)`, between 1/3 and 0.34, to 2⁻⁵⁸ of itself
+    pub rho: DoubleDouble,
+}
+
+const SQRT_HALF_BITS: u64 = 0x3fe6_a09e_667f_3bcd;
+const ONE_BITS: u64 = 0x3ff0_0000_0000_0000;
+
+impl Logarithm {
+    /// Of a positive normal number `w.hi + w.lo`.
+    #[inline(always)]
+    pub fn of(w: DoubleDouble) -> Self {
+        let bits = w.hi.to_bits();
+        // 2⁵² + (biased exponent of w/√½), read off as a double
+        let shifted = bits.wrapping_add(ONE_BITS - SQRT_HALF_BITS);
+        let k =
+            f64::from_bits((shifted >> 52) | 0x4330_0000_0000_0000) - (4503599627370496.0 + 1023.0);
+        let exponent = (shifted & 0xfff0_0000_0000_0000).wrapping_sub(ONE_BITS);
+        let m = f64::from_bits(bits.wrapping_sub(exponent));
+        // 2⁻ᵏ in two halves: k reaches 1024, and 2⁻¹⁰²⁴ would not be a normal number
+        let low = w.lo * super::power_of_two(-super::nearest_integer(0.5 * k));
+        let low = low * super::power_of_two(super::nearest_integer(0.5 * k) - k);
+        let f = fast_two_sum(m - 1.0, low);
+        let sum = fast_two_sum(2.0, f.hi);
+        let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
+        let s = f.div(denominator);
+        let z = s.hi * s.hi;
+        let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
+        let rho = fast_two_sum(rho.hi, rho.lo + THIRD.lo);
+        Logarithm { k, f, s, rho }
+    }
+
+    /// `2 s³ ρ(s²)`, the rounded part of `ln(1 + f)`; `2s` is the other.
+    #[inline(always)]
+    pub fn tail(&self) -> f64 {
+        2.0 * self.s.hi * (self.s.hi * self.s.hi) * self.rho.hi
+    }
+
+    /// `ln w`.
+    #[inline(always)]
+    pub fn value(&self) -> DoubleDouble {
+        let sum = fast_two_sum(self.k * LN2_HI, 2.0 * self.s.hi);
+        let small = self.tail() + 2.0 * self.s.lo + self.k * LN2_LO;
+        fast_two_sum(sum.hi, sum.lo + small)
+    }
+}
+
+/// `ln x`.
+#[inline(always)]
+pub fn ln(x: f64) -> f64 {
+    let subnormal = x < f64::MIN_POSITIVE;
+    let scaled = select(subnormal, x * 18014398509481984.0, x); // 2⁵⁴
+    let mut logarithm = Logarithm::of(DoubleDouble::from(scaled));
+    logarithm.k -= select(subnormal, 54.0, 0.0);
+    let regular = logarithm.value().round();
+    let regular = select(x == f64::INFINITY, x, regular);
+    let regular = select(x == 0.0, f64::NEG_INFINITY, regular);
+    select(x >= 0.0, regular, f64::NAN)
+}
+
+/// `ln(1 + x)`.
+#[inline(always)]
+pub fn ln_1p(x: f64) -> f64 {
+    let regular = Logarithm::of(two_sum(1.0, x)).value().round();
+    let regular = select(x == f64::INFINITY, x, regular);
+    let regular = select(x == -1.0, f64::NEG_INFINITY, regular);
+    let regular = select(x >= -1.0, regular, f64::NAN);
+    select(x.abs() < 1e-300, x, regular)
+}
