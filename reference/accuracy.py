@@ -57,15 +57,6 @@ def recorded_inputs(record: dict[str, dict], names: Iterable[str]) -> list[tuple
     return [tuple(float.fromhex(v) for v in record[name]["at"]) for name in names if name in record]
 
 
-def groups(names: Iterable[str]) -> list[list[str]]:
-    """Names that share their arguments, and so the work of their exact values."""
-    by_arguments: dict[tuple, list[str]] = {}
-    for name in names:
-        family = name.split("_")[0] if name in oracle.BY_ANGLE else ""
-        by_arguments.setdefault((id(oracle.FUNCTIONS[name].arguments), family), []).append(name)
-    return list(by_arguments.values())
-
-
 def chunk_inputs(names: list[str], chunk: int, count: int, seed: int, record: dict[str, dict]) -> tuple[np.ndarray, ...]:
     """The first chunk brings the corners and the recorded worst inputs along."""
     arguments = oracle.FUNCTIONS[names[0]].arguments
@@ -98,7 +89,7 @@ def measure_chunk(task: tuple[list[str], int, int, int, dict[str, dict]]) -> dic
 def measure(names: Iterable[str], inputs: int, seed: int, record: dict[str, dict]) -> dict[str, Worst]:
     kernels.binary()  # build once, before the workers ask for it
     tasks = []
-    for group in groups(names):
+    for group in oracle.groups(names):
         for chunk, start in enumerate(range(0, inputs, CHUNK)):
             tasks.append((group, chunk, min(CHUNK, inputs - start), seed, record))
     worst: dict[str, Worst] = {}

@@ -1,7 +1,7 @@
 """Every public function: its exact values, its arguments, and the error allowed."""
 
 import zlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -73,6 +73,15 @@ FUNCTIONS: dict[str, Function] = {
     "tree": direct(lambert.tree, "the root t <= 1 of t e^-t = z; 1 at the double nearest 1/e", "z", inputs.TREE),
     **BY_ANGLE,
 }
+
+
+def groups(names: Iterable[str]) -> list[list[str]]:
+    """Names that share their arguments and their road, and so most of the work of their exact values."""
+    together: dict[tuple, list[str]] = {}
+    for name in names:
+        function = FUNCTIONS[name]
+        together.setdefault((id(function.arguments), function.names), []).append(name)
+    return list(together.values())
 
 
 def stream(arguments: Arguments) -> int:

@@ -35,7 +35,8 @@ fn evaluate(name: &str, arguments: &[f64]) -> Option<Vec<f64>> {
         function(arguments, &mut out);
         return Some(out);
     }
-    let (first, second): (Vec<f64>, Vec<f64>) = arguments.chunks_exact(2).map(|pair| (pair[0], pair[1])).unzip();
+    let (first, second): (Vec<f64>, Vec<f64>) =
+        arguments.chunks_exact(2).map(|pair| (pair[0], pair[1])).unzip();
     if let Some(function) = find(REAL_BINARY, name) {
         return Some(first.iter().zip(&second).map(|(&a, &b)| function(a, b)).collect());
     }
