@@ -3,8 +3,8 @@
 Every function takes the drag parameter ε (`epsilon`, a number or an array, at least 0 and finite)
 and returns a launch angle in radians, of the same shape, right to a few units of the last digit
 from ε = 0 to 1e300 (`greatest_range_angle`, where a square of ε occurs, to 1e150). Symbols are
-those of the paper (H. Hernández-Saldaña, Eur. J. Phys. 2010): s = sin α, u = ε s, q = 1 + u; lengths
-in V₀²/g, times in V₀/g.
+those of the paper (H. Hernández-Saldaña, Eur. J. Phys. 2010): s = sin α, u = ε s, q = 1 + u;
+lengths in V₀²/g, times in V₀/g.
 
 The conditions are written so that nothing cancels, neither as ε → 0 nor as ε → ∞: sums of terms
 that stay of the size of 1. They hold the only formulas of motion outside the Rust core.
@@ -109,7 +109,7 @@ def greatest_range_angle(epsilon: npt.ArrayLike) -> Quantity:
 
 
 def receding_angle(epsilon: npt.ArrayLike) -> Quantity:
-    """Launch angle α up to which the distance from the launch point never stops growing, in radians.
+    """Launch angle α up to which the distance from the launcher never stops growing, in radians.
 
     Distance grows while x ẋ + y ẏ > 0. With w = εt and the E₁, E₂ of the flight equations, this
     says s < (E₁e^{−w} + t²E₁E₂) / (t(E₁² + E₂e^{−w})): α is the angle of the least value over t.
@@ -153,7 +153,7 @@ def _reduced(s: FloatArray, eps: FloatArray) -> tuple[FloatArray, ...]:
 def _solve(
     condition: Callable[[FloatArray, FloatArray], FloatArray], epsilon: npt.ArrayLike
 ) -> Quantity:
-    """The α between 1/(2 + ε), below every named angle, and π/2 where `condition` turns negative."""
+    """The α where `condition` turns negative, between 1/(2 + ε), below every one, and π/2."""
     eps = np.asarray(not_negative("epsilon", epsilon))
     alpha = zero_between(
         lambda middle: condition(middle, eps), 1 / (2 + eps), np.full_like(eps, _HALF_PI)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -45,7 +46,7 @@ def integral(
 
     nodes, weights = _gauss_legendre()
     total = np.zeros(eps.shape)
-    for left, right in zip(edges[:-1], edges[1:], strict=True):
+    for left, right in pairwise(edges):
         if np.array_equal(left, right):
             continue
         half = 0.5 * (right - left)

@@ -1,0 +1,101 @@
+"""The command `archerfish`, and what becomes of its errors: one line and an exit status."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import signal
+import sys
+
+import click
+import numpy as np
+
+from archerfish import __version__
+from archerfish.cli.errors import RefusedValue
+from archerfish.cli.figure import figure
+from archerfish.cli.locus import locus
+from archerfish.cli.series import series
+
+BAD_INPUT = 2
+FAILURE = 1
+INTERRUPTED = 130
+
+
+@click.group(
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="""\b
+Examples:
+  archerfish locus --speed 10 --epsilon 0.1
+  archerfish locus --speed 10 --terminal-speed 30 --output locus.csv --figure locus.svg
+  archerfish figure 4 --output curvature.png
+  archerfish series --of exact --order 6
+""",
+)
+@click.version_option(__version__, prog_name="archerfish")
+@click.pass_context
+def archerfish(context: click.Context) -> None:
+    """Projectile motion under gravity and linear drag: the locus of the apexes.
+
+    Angles are in degrees, everything else in SI units. `archerfish COMMAND --help` explains each
+    command.
+    """
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+archerfish.add_command(locus)
+archerfish.add_command(figure)
+archerfish.add_command(series)
+
+
+def main() -> None:
+    """Run the command on the process's arguments and end the process."""
+    if hasattr(signal, "SIGPIPE"):
+        # A reader that has seen enough (`| head`) ends this process, as it does any other tool.
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A terminal without Greek letters gets question marks, not an exception.
+        sys.stdout.reconfigure(errors="replace")
+    sys.exit(run(sys.argv[1:]))
+
+
+def run(arguments: list[str]) -> int:
+    """Run the command; return 0, or say what is wrong in one line and return the exit status."""
+    try:
+        # Extreme drags overflow or underflow in good order: to inf and 0, without a warning.
+        with np.errstate(over="ignore", under="ignore"):
+            status = archerfish.main(arguments, prog_name="archerfish", standalone_mode=False)
+        sys.stdout.flush()
+    except RefusedValue as error:
+        return _complain(_command(error), error.format_message(), BAD_INPUT)
+    except click.UsageError as error:
+        where = _command(error)
+        return _complain(where, f"{error.format_message()} See {where} --help.", BAD_INPUT)
+    except click.ClickException as error:
+        return _complain("archerfish", error.format_message(), error.exit_code)
+    except (click.Abort, KeyboardInterrupt):
+        return INTERRUPTED
+    except OSError as error:
+        return _failed_write(error)
+    return status if isinstance(status, int) else 0
+
+
+def _command(error: click.UsageError) -> str:
+    return error.ctx.command_path if error.ctx else "archerfish"
+
+
+def _failed_write(error: OSError) -> int:
+    if error.filename is None:
+        # Standard output is lost; Python would try once more, and complain, on its way out.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        if error.errno == errno.EPIPE:
+            return FAILURE
+    name = error.filename or "standard output"
+    return _complain("archerfish", f"cannot write {name}: {error.strerror or error}", FAILURE)
+
+
+def _complain(where: str, message: str, status: int) -> int:
+    click.echo(f"{where}: {' '.join(message.split())}", err=True)
+    return status
