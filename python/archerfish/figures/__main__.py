@@ -5,8 +5,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from archerfish.files import write_whole
+
 from .registry import FIGURES
-from .save import caption, save, write_whole
+from .save import caption, save
 
 
 def main(arguments: list[str]) -> int:

@@ -6,31 +6,44 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from . import figure1, figure2, figure3, figure4, figure5, style
+from . import figure1, figure2, figure3, figure4, figure5, figure6, style
 
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure. ``draw`` takes one axes, or a sequence of them where ``panels`` is above 1."""
+    """One figure. ``draw`` takes one axes, or a sequence of them where ``panels`` is given."""
 
     data: Callable[..., Any]
     draw: Callable[[Any, Any], None]
     caption: Callable[[Any], str]
     size: tuple[float, float]
     """Width and height in inches, without the caption."""
-    panels: int = 1
+    panels: Callable[[Any], int] | None = None
+    """How many axes the data need, side by side."""
+
+
+def two(_: Any) -> int:
+    """Return the number of panels of a figure with (a) and (b)."""
+    return 2
 
 
 FIGURES: dict[int, Figure] = {
     1: Figure(figure1.figure1_data, figure1.draw_figure1, figure1.caption1, (5.2, 3.4)),
     2: Figure(figure2.figure2_data, figure2.draw_figure2, figure2.caption2, (3.4, 3.4)),
     3: Figure(
-        figure3.figure3_data, figure3.draw_figure3, figure3.caption3, (style.PAGE_WIDTH, 3.0), 2
+        figure3.figure3_data, figure3.draw_figure3, figure3.caption3, (style.PAGE_WIDTH, 3.0), two
     ),
     4: Figure(
-        figure4.figure4_data, figure4.draw_figure4, figure4.caption4, (style.PAGE_WIDTH, 3.0), 2
+        figure4.figure4_data, figure4.draw_figure4, figure4.caption4, (style.PAGE_WIDTH, 3.0), two
     ),
     5: Figure(figure5.figure5_data, figure5.draw_figure5, figure5.caption5, (5.2, 3.6)),
+    6: Figure(
+        figure6.figure6_data,
+        figure6.draw_figure6,
+        figure6.caption6,
+        (style.PAGE_WIDTH, 2.9),
+        figure6.panels6,
+    ),
 }
 
 

@@ -8,6 +8,8 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from archerfish.files import write_whole
+
 from . import style
 from .registry import Figure, figure
 
@@ -75,12 +77,18 @@ def render(
     buffer = io.BytesIO()
     with style.context():
         canvas = Canvas(figsize=chosen.size)
-        axes = canvas.subplots(1, chosen.panels)
-        chosen.draw(axes, data)
+        chosen.draw(new_axes(canvas, chosen, data), data)
         if show_caption:
             add_caption(canvas, text)
         canvas.savefig(buffer, format=file_format, dpi=dpi, metadata=metadata(file_format, text))
     return buffer.getvalue()
+
+
+def new_axes(canvas: Canvas, chosen: Figure, data: Any) -> Any:
+    """Return what the drawing function takes: one axes, or a list of them side by side."""
+    if chosen.panels is None:
+        return canvas.subplots()
+    return list(canvas.subplots(1, chosen.panels(data), squeeze=False)[0])
 
 
 def add_caption(canvas: Canvas, text: str) -> None:
@@ -112,15 +120,3 @@ def metadata(file_format: str, text: str) -> dict[str, str | None]:
     if file_format == "pdf":
         return {"Title": title, "Subject": text, "CreationDate": None, "Creator": "archerfish"}
     return {"Title": title, "Description": text, "Software": "archerfish"}
-
-
-def write_whole(target: Path, content: bytes) -> None:
-    """Write a file beside ``target`` and move it there once it is complete."""
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with part.open("xb") as stream:
-            stream.write(content)
-        part.replace(target)
-    except BaseException:
-        part.unlink(missing_ok=True)
-        raise

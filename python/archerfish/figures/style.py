@@ -139,9 +139,9 @@ def plain_log_ticks(axis: Any, steps: tuple[float, ...] = (1.0,)) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
-def panel_label(ax: Any, letter: str) -> None:
-    """Write ``(a)``, ``(b)``, … above the upper left corner of a panel."""
-    ax.set_title(f"({letter})", loc="left", pad=4.0)
+def panel_label(ax: Any, letter: str, what: str = "") -> None:
+    """Write ``(a)``, ``(b)``, … and what the panel shows above its upper left corner."""
+    ax.set_title(f"({letter}) {what}".rstrip(), loc="left", pad=4.0)
 
 
 def typeset(text: str) -> str:

@@ -63,7 +63,8 @@ def trajectories(
 
     start = -np.pi / 4
     spread = start + (early - start) * np.linspace(0.0, 1.0, samples)
-    sigma = np.maximum(1.0 + np.tan(spread), 0.0) * sine
+    sigma = (1.0 + np.tan(spread)) * sine
+    sigma[:, 0] = 0.0
     u = epsilon * sigma
     x = sigma * cosine / (1.0 + u)
     y = sigma * (sine - sigma * fall(u)) / (1.0 + u)
