@@ -23,7 +23,8 @@ help: ## Show this list
 
 demo: .venv/package ## Compute the locus of the README, its table, CSV and Figure 1, under out/
 	@mkdir -p out
-	@$(bin)/archerfish locus --speed 10 --epsilon 0.1
+	@$(bin)/archerfish locus --speed 10 --epsilon 0.1 \
+		--output out/locus.csv --figure out/figure1.svg --figure out/figure1.png
 
 test: .venv/test .venv/package ## Run the Rust tests, then the Python tests
 	cargo test --workspace --locked --quiet
