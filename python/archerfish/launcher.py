@@ -76,12 +76,15 @@ class Launcher(Value):
                 + (" and ".join(given) or "none")
             )
         fields = {"speed": positive("speed", speed), "gravity": positive("gravity", gravity)}
-        fields |= _drag(given[0], drags[given[0]], fields["speed"], fields["gravity"])
+        [name] = given
+        check = positive_or_infinite if name == "terminal_speed" else not_negative
+        fields[name] = check(name, drags[name])
         try:
             np.broadcast_shapes(*(np.shape(field) for field in fields.values()))
         except ValueError:
             shapes = ", ".join(f"{name} {np.shape(field)}" for name, field in fields.items())
             raise ValueError(f"shapes must broadcast, got {shapes}") from None
+        fields |= _drag(name, **fields)
         for name, field in fields.items():
             object.__setattr__(self, name, field)
         # A speed like 1e200 is finite, but the lengths it leads to are not.
@@ -111,26 +114,24 @@ class Launcher(Value):
         """The curve formed by the apexes of all shots, in metres and seconds.
 
         >>> round(Launcher(10.0, epsilon=0.1).locus.highest.y, 6)
-        4.782838
+        4.782286
         """
         return ApexLocus(
             epsilon=self.epsilon, length_scale=self.length_scale, time_scale=self.time_scale
         )
 
 
-def _drag(name: str, drag: object, speed: Quantity, gravity: Quantity) -> dict[str, Quantity]:
+def _drag(name: str, speed: Quantity, gravity: Quantity, **given: Quantity) -> dict[str, Quantity]:
     """All three ways to say the drag that is given in one of them, that one exactly as given."""
+    drag = given[name]
     if name == "epsilon":
-        epsilon = not_negative(name, drag)
-        drag_rate = quotient(product(epsilon, gravity), speed)
-        terminal_speed = quotient(speed, epsilon)
+        epsilon, rate = drag, quotient(product(drag, gravity), speed)
+        terminal = quotient(speed, drag)
     elif name == "drag_rate":
-        drag_rate = not_negative(name, drag)
-        epsilon = quotient(product(drag_rate, speed), gravity)
-        terminal_speed = quotient(gravity, drag_rate)
+        epsilon, rate = quotient(product(drag, speed), gravity), drag
+        terminal = quotient(gravity, drag)
     else:
-        terminal_speed = positive_or_infinite(name, drag)
-        epsilon = quotient(speed, terminal_speed)
-        drag_rate = quotient(gravity, terminal_speed)
+        epsilon, rate = quotient(speed, drag), quotient(gravity, drag)
+        terminal = drag
     not_negative(f"epsilon, from this {name},", epsilon)
-    return {"epsilon": epsilon, "drag_rate": drag_rate, "terminal_speed": terminal_speed}
+    return {"epsilon": epsilon, "drag_rate": rate, "terminal_speed": terminal}

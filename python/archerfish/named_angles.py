@@ -2,7 +2,7 @@
 
 Every function takes the drag parameter ε (`epsilon`, a number or an array, at least 0 and finite)
 and returns a launch angle in radians, of the same shape, right to a few units of the last digit
-from ε = 0 to 1e300 (`greatest_range_angle`, where a square of ε occurs, to 1e150). Symbols are
+from ε = 0 to 1e300 (`greatest_range_angle`, where ε² occurs, takes no more than 1e150). Symbols are
 those of the paper (H. Hernández-Saldaña, Eur. J. Phys. 2010): s = sin α, u = ε s, q = 1 + u;
 lengths in V₀²/g, times in V₀/g.
 
@@ -105,6 +105,8 @@ def greatest_range_angle(epsilon: npt.ArrayLike) -> Quantity:
         k = eps / s
         return np.asarray(_core.apex_time(_HALF_PI, k) - _core.apex_y(_HALF_PI, k) - s * s)
 
+    if np.any(np.asarray(epsilon) > 1e150):
+        raise ValueError(f"epsilon must be at most 1e150, got {np.max(epsilon)}")
     return _solve(condition, epsilon)
 
 
@@ -129,9 +131,13 @@ def receding_angle(epsilon: npt.ArrayLike) -> Quantity:
             # ln(1 + lost) is −w: log1pmx keeps the digits of a small w, plain w those of a large.
             shortfall = np.where(w > 1, w + lost, -_core.log1pmx(np.maximum(lost, -0.75)))
             e2 = np.where(w > 0, shortfall / w / w, 0.5)
-        return np.asarray((e1 * decay + time * time * e1 * e2) / (time * (e1 * e1 + e2 * decay)))
+        # e^{−w}/t, where e^{−w} alone may underflow.
+        soon = np.where(w < 700, decay / time, np.exp(-w - np.log(time)))
+        return np.asarray(e1 * (soon + time * e2) / (e1 * e1 + e2 * decay))
 
-    sine = least_value(bound, 1 / (1 + eps), np.full_like(eps, 2.0))
+    # The least value lies at t = √2 without drag, at 2 ln(ε)/ε for strong drag.
+    shortest = 1 / (1 + eps)
+    sine = least_value(bound, shortest, 2 * (2 + np.log1p(eps)) * shortest)
     return _number(np.arcsin(sine))
 
 

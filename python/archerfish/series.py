@@ -63,7 +63,7 @@ class LaunchAngleSeries:
         An array of the shape of `theta`. Where the series diverges, so do the numbers.
 
         >>> float(exact_series().launch_angle(0.1, 0.1).round(12))
-        0.196666098967
+        0.196801614187
         """
         last = self.order if order is None else order
         if not 1 <= last <= self.order:

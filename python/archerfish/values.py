@@ -40,9 +40,11 @@ def real(name: str, value: object) -> Quantity:
     refusal = TypeError(f"{name} must be a real number or an array of them, got {value!r}")
     try:
         array = np.array(value)
-        # Strings and complex numbers would convert, with a warning or without.
+        # Strings, complex numbers and None would convert, with a warning or without.
         if array.dtype.kind not in "iufO":
             raise refusal
+        if array.dtype.kind == "O":
+            array = np.vectorize(float, otypes=[np.float64])(array)
         array = array.astype(np.float64)
     except (TypeError, ValueError):
         raise refusal from None
