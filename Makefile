@@ -35,12 +35,13 @@ check: ## Run the linters, the documentation's examples and the tests, as CI doe
 	@$(MAKE) --no-print-directory docs
 	@$(MAKE) --no-print-directory test
 
-lint: .venv/dev .venv/package ## Check format, clippy, ruff, mypy --strict and the stub
+lint: .venv/dev .venv/package ## Check format, clippy, ruff, and mypy --strict, on the package and on user code
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	$(bin)/ruff check --quiet
 	$(bin)/ruff format --check --quiet
 	$(bin)/mypy
+	$(bin)/mypy python/tests/boundary/typing_cases.py
 
 docs: .venv/test .venv/package ## Build the Rust pages without a warning; run every example in the prose
 	cargo doc --workspace --no-deps --locked --quiet

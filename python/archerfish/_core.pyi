@@ -1,5 +1,8 @@
 """Types of the compiled module: every ufunc is one of two shapes."""
 
+# A class may derive from both float32 and float64, says mypy of overlapping overloads; none does.
+# mypy: disable-error-code="overload-overlap"
+
 from typing import Any, Final, Literal, Protocol, TypedDict, TypeVar, Unpack, overload
 
 import numpy as np

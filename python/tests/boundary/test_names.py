@@ -1,7 +1,9 @@
 """The names, arguments, types and pages of the ufuncs are what was published."""
 
+import ast
 import doctest
 import inspect
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -51,6 +53,18 @@ def test_examples_of_the_page(name, ufunc):
     report: list[str] = []
     result = doctest.DocTestRunner(verbose=False).run(test, out=report.append)
     assert result.failed == 0, "".join(report)
+
+
+def test_stub_has_the_same_names_and_shapes(table):
+    stub = ast.parse(Path(_core.__file__).with_name("_core.pyi").read_text(encoding="utf-8"))
+    typed = {
+        line.target.id: ast.unparse(line.annotation)
+        for line in stub.body
+        if isinstance(line, ast.AnnAssign) and isinstance(line.target, ast.Name)
+    }
+    shapes = {1: "Final[_UnaryUfunc]", 2: "Final[_BinaryUfunc]"}
+    expected = {name: shapes[len(arguments)] for name, arguments in table.items()}
+    assert typed == expected | {"__version__": "Final[str]"}
 
 
 def test_version_and_instruction_set():
