@@ -1,15 +1,18 @@
 """The worst error of every public function, in ulp, and the record of it that only tightens.
 
-    python -m reference.accuracy                    the recorded run: the same inputs every time, checked against the record
-    python -m reference.accuracy --record           the same, and write the record
-    python -m reference.accuracy --fresh            other inputs: only what is demanded is checked; what is worse is shown
-    python -m reference.accuracy --fresh --record   the same, and keep the worse inputs in the record
+    python -m reference.accuracy                    the recorded run: the same inputs every time,
+    checked against the record python -m reference.accuracy --record           the same, and write
+    the record python -m reference.accuracy --fresh            other inputs: only what is demanded
+    is checked; what is worse is shown python -m reference.accuracy --fresh --record   the same, and
+    keep the worse inputs in the record
 
-Against the record a function fails when it is worse, and also when it is clearly better, until the record is tightened. Every run
-evaluates the adversarial corners and the recorded worst inputs beside the random ones.
+Against the record a function fails when it is worse, and also when it is clearly better, until the
+record is tightened. Every run evaluates the adversarial corners and the recorded worst inputs
+beside the random ones.
 """
 
 import argparse
+import json
 import os
 import secrets
 import sys
@@ -35,11 +38,13 @@ WORSE = 2e-4
 BETTER = 0.02
 
 HEADER = """\
-# The worst error of every public function, in ulp of the exact value, over at least {inputs} inputs each:
-# random and adversarial (reference/inputs.py), exact values from reference/oracle.py, kernels as built by cargo in release mode.
-# locus_launch_angle_d2 crosses zero: its ulp is that of the larger of the value and its greatest term (reference/geometry.py).
-# Written by `python -m reference.accuracy --record`; a run without --record fails if a function is worse or clearly better.
-# `at` is where the worst error happens. Where `demanded_ulp` is not reached, `allowed_ulp` and `why`, put here by hand, say so.
+# The worst error of every public function, in ulp of the exact value, over at least {inputs} inputs
+# each: random and adversarial (reference/inputs.py), exact values from reference/oracle.py, kernels
+# as built by cargo in release mode. locus_launch_angle_d2 crosses zero: its ulp is that of the
+# larger of the value and its greatest term (reference/geometry.py). Written by `python -m
+# reference.accuracy --record`; a run without --record fails if a function is worse or clearly
+# better. `at` is where the worst error happens. Where `demanded_ulp` is not reached, `allowed_ulp`
+# and `why`, put here by hand, say so.
 """
 
 
@@ -57,7 +62,9 @@ def recorded_inputs(record: dict[str, dict], names: Iterable[str]) -> list[tuple
     return [tuple(float.fromhex(v) for v in record[name]["at"]) for name in names if name in record]
 
 
-def chunk_inputs(names: list[str], chunk: int, count: int, seed: int, record: dict[str, dict]) -> tuple[np.ndarray, ...]:
+def chunk_inputs(
+    names: list[str], chunk: int, count: int, seed: int, record: dict[str, dict]
+) -> tuple[np.ndarray, ...]:
     """The first chunk brings the corners and the recorded worst inputs along."""
     arguments = oracle.FUNCTIONS[names[0]].arguments
     # The stream depends on the name, not on which other functions are measured in the same run.
@@ -86,7 +93,9 @@ def measure_chunk(task: tuple[list[str], int, int, int, dict[str, dict]]) -> dic
     return answer
 
 
-def measure(names: Iterable[str], inputs: int, seed: int, record: dict[str, dict]) -> dict[str, Worst]:
+def measure(
+    names: Iterable[str], inputs: int, seed: int, record: dict[str, dict]
+) -> dict[str, Worst]:
     kernels.binary()  # build once, before the workers ask for it
     tasks = []
     for group in oracle.groups(names):
@@ -118,16 +127,19 @@ def faults(name: str, worst: Worst, record: dict[str, dict], fresh: bool) -> lis
     found = []
     bound = demanded(name, record)
     if not worst.error <= bound:
-        found.append(f"{name}: {worst.error:.4f} ulp at ({at}), demanded {bound:g}")
+        found.append(f"{name}: {worst.error:.5g} ulp at ({at}), demanded {bound:g}")
     if fresh:
         return found
     if name not in record:
         return [*found, f"{name}: not in {RECORD.name}; run with --record"]
     was = record[name]["worst_ulp"]
     if not worst.error <= was + WORSE:
-        found.append(f"{name}: {worst.error:.4f} ulp at ({at}), worse than the recorded {was:.4f}")
+        found.append(f"{name}: {worst.error:.5g} ulp at ({at}), worse than the recorded {was:.4f}")
     if worst.error < was - BETTER:
-        found.append(f"{name}: {worst.error:.4f} ulp, better than the recorded {was:.4f}: tighten the record with --record")
+        found.append(
+            f"{name}: {worst.error:.5g} ulp, better than the recorded {was:.4f}: "
+            "tighten the record with --record"
+        )
     return found
 
 
@@ -135,12 +147,15 @@ def written(name: str, worst: Worst, row: dict) -> str:
     lines = [
         f"[{name}]",
         f"worst_ulp = {worst.error:.4f}",
-        f"at = [{', '.join(chr(34) + v.hex() + chr(34) for v in worst.at)}]  # {', '.join(repr(v) for v in worst.at)}",
+        f"at = {json.dumps([v.hex() for v in worst.at])}  # {', '.join(map(repr, worst.at))}",
         f"inputs = {worst.inputs}",
         f"demanded_ulp = {oracle.FUNCTIONS[name].bound:.1f}",
     ]
     if "allowed_ulp" in row:
-        lines += [f"allowed_ulp = {row['allowed_ulp']}", f"why = {chr(34)}{row.get('why', '')}{chr(34)}"]
+        lines += [
+            f"allowed_ulp = {row['allowed_ulp']}",
+            f"why = {json.dumps(row.get('why', ''))}",
+        ]
     return "\n".join(lines) + "\n"
 
 
@@ -149,7 +164,11 @@ def write_record(results: dict[str, Worst], record: dict[str, dict], fresh: bool
     rows = []
     for name in oracle.FUNCTIONS:
         row = record.get(name, {})
-        old = Worst(row["worst_ulp"], *recorded_inputs(record, [name]), row["inputs"]) if row else None
+        old = (
+            Worst(row["worst_ulp"], *recorded_inputs(record, [name]), row["inputs"])
+            if row
+            else None
+        )
         new = results.get(name)
         if new is None or (fresh and old is not None and new.error <= old.error + WORSE):
             new = old
@@ -161,10 +180,18 @@ def write_record(results: dict[str, Worst], record: dict[str, dict], fresh: bool
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="public functions; all of them without")
-    parser.add_argument("--inputs", type=int, default=INPUTS, help="random inputs for each function")
-    parser.add_argument("--fresh", action="store_true", help="draw inputs that no earlier run has seen")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help="public functions; all of them without"
+    )
+    parser.add_argument(
+        "--inputs", type=int, default=INPUTS, help="random inputs for each function"
+    )
+    parser.add_argument(
+        "--fresh", action="store_true", help="draw inputs that no earlier run has seen"
+    )
     parser.add_argument("--record", action="store_true", help="write what was measured")
     options = parser.parse_args()
     unknown = [name for name in options.names if name not in oracle.FUNCTIONS]
@@ -173,7 +200,9 @@ def main() -> int:
     if options.record and options.inputs < INPUTS:
         parser.error(f"a record needs at least {INPUTS} inputs a function, got {options.inputs}")
     if not options.fresh and options.inputs != INPUTS:
-        parser.error(f"the recorded run has {INPUTS} inputs a function; other numbers go with --fresh")
+        parser.error(
+            f"the recorded run has {INPUTS} inputs a function; other numbers go with --fresh"
+        )
 
     record = read_record()
     seed = secrets.randbits(48) if options.fresh else SEED
@@ -181,12 +210,19 @@ def main() -> int:
     results = measure(options.names or list(oracle.FUNCTIONS), options.inputs, seed, record)
     for name, worst in results.items():
         at = ", ".join(f"{v!r}" for v in worst.at)
-        print(f"{name:24} {worst.error:12.4f} ulp of {demanded(name, record):g}   {worst.inputs} inputs, worst at ({at})")
+        print(
+            f"{name:24} {worst.error:12.5g} ulp of {demanded(name, record):g}"
+            f"   {worst.inputs} inputs, worst at ({at})"
+        )
     print(f"seed {seed}, {time.monotonic() - start:.0f} s")
     if options.record:
         write_record(results, record, options.fresh)
         record = read_record()
-    wrong = [fault for name, worst in results.items() for fault in faults(name, worst, record, options.fresh)]
+    wrong = [
+        fault
+        for name, worst in results.items()
+        for fault in faults(name, worst, record, options.fresh)
+    ]
     for fault in wrong:
         print(fault, file=sys.stderr)
     return 1 if wrong else 0

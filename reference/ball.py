@@ -1,8 +1,9 @@
 """Arb balls to doubles: raise the precision until a ball is narrow, then round it.
 
-An exact value is kept as a `Rounded`: the nearest double `hi`, what is left of it `rest`, and the `ulp` in which errors are
-counted, so that the error of a computed double is `abs((got - hi) / ulp - rest)`, good to about 1e-9 ulp. (A second double
-for the remainder would be lost to underflow next to 5e-324; a remainder counted in ulp is not.)
+An exact value is kept as a `Rounded`: the nearest double `hi`, what is left of it `rest`, and the
+`ulp` in which errors are counted, so that the error of a computed double is `abs((got - hi) / ulp -
+rest)`, good to about 1e-9 ulp. (A second double for the remainder would be lost to underflow next
+to 5e-324; a remainder counted in ulp is not.)
 """
 
 import math
@@ -13,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb, ctx
 
-#: The width demanded of a ball before it is rounded, in bits relative to the value (or to the scale of the error).
+#: The width demanded of a ball before it is rounded, in bits relative to the value (or to the scale
+#: of the error).
 ACCURATE_BITS = 90
 MOST_BITS = 1 << 17
 
@@ -27,7 +29,7 @@ class Rounded(NamedTuple):
 NAN = Rounded(math.nan, 0.0, 1.0)
 
 
-class OutsideDomain(Exception):
+class OutsideDomainError(Exception):
     """The exact function has no value there: the double wanted is NaN."""
 
 
@@ -53,7 +55,7 @@ def ulp_power(top: int) -> int:
 
 
 def rounded(ball: arb, scale: arb | None = None) -> Rounded:
-    """The nearest double to a narrow ball; the ulp is that of the larger of the exact value and `scale`."""
+    """The nearest double to a narrow ball; the ulp is of the larger of the value and `scale`."""
     mantissa, power = (int(part) for part in ball.mid().man_exp())
     if mantissa == 0:
         top = -1074
@@ -63,7 +65,9 @@ def rounded(ball: arb, scale: arb | None = None) -> Rounded:
         top = power + mantissa.bit_length() - 1
         own = ulp_power(top)
         whole, part = split(mantissa, power - own)
-        if abs(whole) == 1 << 53 and abs(part) < 1e-9:  # below a power of two by nothing that matters: the ulp of that power
+        if (
+            abs(whole) == 1 << 53 and abs(part) < 1e-9
+        ):  # below a power of two by nothing that matters: the ulp of that power
             top, own, whole, part = top + 1, own + 1, whole // 2, part / 2
     unit = own
     if scale is not None and scale.mid() != 0:
@@ -102,7 +106,9 @@ def narrow(ball: arb, scale: arb | None = None) -> bool:
     return exponent(ball.rad()) < exponent(scale) - ACCURATE_BITS
 
 
-def exact(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bits: int = 192) -> Rounded:
+def exact(
+    function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bits: int = 192
+) -> Rounded:
     """Round `function(*arguments)`, doubling the working precision until its ball is narrow.
 
     The function may answer a pair: the value, and the scale whose ulp the error is counted in.
@@ -113,7 +119,7 @@ def exact(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bit
         with precision(bits):
             try:
                 answer = function(*arguments)
-            except OutsideDomain:
+            except OutsideDomainError:
                 return NAN
             if isinstance(answer, float):  # an infinite limit
                 return Rounded(answer, 0.0, 1.0)
@@ -124,8 +130,10 @@ def exact(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bit
     raise ArithmeticError(f"{function.__name__}{arguments} is not narrow at {MOST_BITS} bits")
 
 
-def settled(function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bits: int = 192) -> Rounded:
-    """As `exact`, for functions whose balls are not proven: the precision is doubled until two answers agree."""
+def settled(
+    function: Callable[..., arb | tuple[arb, arb]], *arguments: float, bits: int = 192
+) -> Rounded:
+    """As `exact`, for balls that are not proven: precision doubles until two answers agree."""
     before = exact(function, *arguments, bits=bits)
     while bits <= MOST_BITS:
         bits *= 2
@@ -144,7 +152,7 @@ def agree(a: Rounded, b: Rounded) -> bool:
 
 
 def ulp_errors(got: np.ndarray, hi: np.ndarray, rest: np.ndarray, ulp: np.ndarray) -> np.ndarray:
-    """Errors in ulp, infinite where one of the two is NaN or infinite and the other is not the same."""
+    """Errors in ulp; infinite where one value is NaN or infinite and the other is not the same."""
     with np.errstate(all="ignore"):
         errors = np.abs((got - hi) / ulp - rest)
     special = ~np.isfinite(got) | ~np.isfinite(hi)

@@ -1,4 +1,4 @@
-"""Errors of an implementation in ulp, against the tables and against fresh exact values: what the tests of every door call."""
+"""Errors of an implementation in ulp, against the tables and against fresh exact values."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -21,7 +21,9 @@ class Comparison(NamedTuple):
     def assert_within(self, bound: float) -> None:
         worst = int(np.argmax(self.errors))
         at = tuple(float(a[worst]) for a in self.arguments)
-        assert self.errors[worst] <= bound, f"{self.errors[worst]:.4f} ulp at {at}, demanded {bound:g} ({self.note})"
+        assert self.errors[worst] <= bound, (
+            f"{self.errors[worst]:.5g} ulp at {at}, demanded {bound:g} ({self.note})"
+        )
 
 
 def with_table(name: str, function: Implementation) -> Comparison:
@@ -29,7 +31,9 @@ def with_table(name: str, function: Implementation) -> Comparison:
     *arguments, value, rest, ulp = tables.read(name)
     with np.errstate(all="ignore"):
         got = function(*arguments)
-    return Comparison(ulp_errors(got, value, rest, ulp), tuple(arguments), f"reference/tables/{name}.csv")
+    return Comparison(
+        ulp_errors(got, value, rest, ulp), tuple(arguments), f"reference/tables/{name}.csv"
+    )
 
 
 def with_oracle(name: str, function: Implementation, count: int, seed: int) -> Comparison:
@@ -37,4 +41,6 @@ def with_oracle(name: str, function: Implementation, count: int, seed: int) -> C
     arguments = oracle.sample(name, count, seed)
     with np.errstate(all="ignore"):
         got = function(*arguments)
-    return Comparison(ulp_errors(got, *oracle.values(name, *arguments)), arguments, f"{name}, seed {seed}")
+    return Comparison(
+        ulp_errors(got, *oracle.values(name, *arguments)), arguments, f"{name}, seed {seed}"
+    )

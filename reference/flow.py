@@ -1,12 +1,13 @@
 """The slow road: the apex by integrating the equation of motion, with nothing solved on paper.
 
-In units of V₀²/g and V₀/g the projectile obeys v' = (0, -1) - ε v, r' = v, with r = 0 and v = (cos α, sin α) at t = 0. Each
-step of time expands r and v in a Taylor polynomial whose coefficients follow from the equation by recurrence; steps are taken
-until the vertical velocity is negative, and its zero in the last step is found by Newton's method. All numbers are power series
-in a small change of α, so that the derivatives with respect to α come with the values.
+In units of V₀²/g and V₀/g the projectile obeys v' = (0, -1) - ε v, r' = v, with r = 0 and v = (cos
+α, sin α) at t = 0. Each step of time expands r and v in a Taylor polynomial whose coefficients
+follow from the equation by recurrence; steps are taken until the vertical velocity is negative, and
+its zero in the last step is found by Newton's method. All numbers are power series in a small
+change of α, so that the derivatives with respect to α come with the values.
 
-No sum here cancels, so a precision a little above the wanted one is enough; `apex` compares two precisions and
-insists that they agree.
+No sum here cancels, so a precision a little above the wanted one is enough; `apex` compares two
+precisions and insists that they agree.
 """
 
 import math
@@ -17,8 +18,9 @@ from flint import arb, arb_series, ctx
 from reference.ball import precision
 from reference.geometry import TERMS
 
+
 def degree_for(bits: int) -> int:
-    """The first k with 2^k / k! < 2^-bits: where the expansion over a step of twice the time scale may be cut."""
+    """The first k with 2^k / k! < 2^-bits: where an expansion over two time scales may be cut."""
     return next(k for k in range(10, 10 * bits) if math.lgamma(k + 1) / math.log(2) - k > bits)
 
 
@@ -89,7 +91,7 @@ def integrate(alpha: arb, eps: arb, bits: int) -> Apex:
 
 
 def vertical_rest(terms: list[State], bits: int) -> arb_series:
-    """The time within a step at which ẏ = 0: Newton from the left end, where ẏ is convex and falling."""
+    """The time within a step at which ẏ = 0: Newton from the left, as ẏ is convex and falls."""
     heights = [term.vy for term in terms]
     slopes = [k * heights[k] for k in range(1, len(heights))]
     t = constant(arb(0))
@@ -108,16 +110,20 @@ def vertical_rest(terms: list[State], bits: int) -> arb_series:
 
 def narrowed(series: arb_series) -> arb_series:
     """Midpoints only: agreement of two precisions is the proof, not the widths on the way."""
-    return arb_series([c.mid() for c in series.coeffs()] + [arb(0)] * (TERMS - len(series.coeffs())), prec=TERMS)
+    return arb_series(
+        [c.mid() for c in series.coeffs()] + [arb(0)] * (TERMS - len(series.coeffs())), prec=TERMS
+    )
 
 
 def apex(alpha: arb, eps: arb, bits: int = 160) -> Apex:
-    """The apex as series in the change of α, agreeing with the same found at a higher precision and a higher degree."""
+    """The apex as series in the change of α, agreeing with the same at a higher precision."""
     rough = integrate(alpha, eps, bits)
     fine = integrate(alpha, eps, bits + 96)
     with precision(bits + 96):
         for name, first, second in zip(Apex._fields, rough, fine, strict=True):
             largest = max(abs(second[k]) for k in range(TERMS))
-            if not all(abs(first[k] - second[k]) <= largest * arb(2) ** -(bits - 40) for k in range(TERMS)):
+            if not all(
+                abs(first[k] - second[k]) <= largest * arb(2) ** -(bits - 40) for k in range(TERMS)
+            ):
                 raise ArithmeticError(f"{name} at {alpha}, {eps} does not settle at {bits} bits")
     return fine

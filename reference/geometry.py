@@ -1,4 +1,4 @@
-"""What is read off a locus given as (x, y) in power series of a small change of α: definitions of plane geometry only."""
+"""What is read off a locus (x, y) given in power series of a small change of α: plane geometry."""
 
 from typing import NamedTuple
 
@@ -41,14 +41,14 @@ def curvature(locus: Locus) -> arb:
 
 
 def away_from_origin(locus: Locus) -> tuple[arb_series, arb_series]:
-    """x and y as series, both divided by the change of α where the apex is the launch point itself."""
+    """x and y as series, divided by the change of α where the apex is the launch point itself."""
     if locus.x[0] == 0 and locus.y[0] == 0:
         return tuple(arb_series(s.coeffs()[1:], prec=TERMS - 1) for s in (locus.x, locus.y))
     return locus.x, locus.y
 
 
 def elevation_slope(locus: Locus) -> arb_series:
-    """dθ/dα as a series: (x y′ - y x′) / (x² + y²), which a common factor of x and y leaves alone."""
+    """dθ/dα as a series: (x y′ - y x′) / (x² + y²); a common factor of x and y drops out."""
     x, y = away_from_origin(locus)
     return (x * derivative(y) - y * derivative(x)) / (x * x + y * y)
 
@@ -61,8 +61,8 @@ def launch_angle_d1(locus: Locus) -> arb:
 def launch_angle_d2(locus: Locus) -> tuple[arb, arb]:
     """d²α/dθ² = -θ″/θ′³, and its greatest term.
 
-    Written with θ′ = P/Q, Q = cos²α (1 + tan²θ), it is Q′Q/P² - P′Q²/P³: a difference of two terms, and it crosses zero. Errors
-    are counted in ulp of the larger of the value and the greater term.
+    Written with θ′ = P/Q, Q = cos²α (1 + tan²θ), it is Q′Q/P² - P′Q²/P³: a difference of two terms,
+    and it crosses zero. Errors are counted in ulp of the larger of the value and the greater term.
     """
     slope = elevation_slope(locus)
     x, y = away_from_origin(locus)

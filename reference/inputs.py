@@ -1,4 +1,4 @@
-"""Random and adversarial arguments, by function; the same seed gives the same doubles everywhere."""
+"""Random and adversarial arguments, by function; a seed gives the same doubles everywhere."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -68,33 +68,86 @@ def signed(draw: Draw) -> Draw:
 
 
 def neighbours(*points: float) -> list[float]:
-    return [value for p in points for value in (np.nextafter(p, -np.inf), p, np.nextafter(p, np.inf))]
+    return [
+        value for p in points for value in (np.nextafter(p, -np.inf), p, np.nextafter(p, np.inf))
+    ]
 
 
 def unary(draw: Draw, corners: list[float]) -> Arguments:
     return Arguments(lambda rng, count: (draw(rng, count),), [(float(c),) for c in corners])
 
 
-EVERYWHERE = [0.0, -0.0, TINY, -TINY, 2.2250738585072014e-308, -2.2250738585072014e-308, 1e-300, -1e-300, 1e-20, -1e-20]
+EVERYWHERE = [
+    0.0,
+    -0.0,
+    TINY,
+    -TINY,
+    2.2250738585072014e-308,
+    -2.2250738585072014e-308,
+    1e-300,
+    -1e-300,
+    1e-20,
+    -1e-20,
+]
 ENDS = [LARGEST, -LARGEST, np.inf, -np.inf, np.nan]
 FULL = log_uniform(TINY, LARGEST)
 
-# Real functions ------------------------------------------------------------------------------------------------------
+# Real functions --------------------------------------------------
 
 EXP = unary(
-    mixture((6, uniform(-40, 40)), (3, uniform(-745.5, 710)), (2, signed(log_uniform(1e-20, 1))), (1, signed(FULL))),
-    [*EVERYWHERE, *ENDS, *neighbours(0.5 * np.log(2), -0.5 * np.log(2), 709.782712893384, -708.3964185322641, 36.7, -36.7)]
-    + neighbours(-745.1332191019411, -745.1332191019412, 1.0, -1.0, 709.782712893384),
+    mixture(
+        (6, uniform(-40, 40)),
+        (3, uniform(-745.5, 710)),
+        (2, signed(log_uniform(1e-20, 1))),
+        (1, signed(FULL)),
+    ),
+    [
+        *EVERYWHERE,
+        *ENDS,
+        *neighbours(
+            0.5 * np.log(2),
+            -0.5 * np.log(2),
+            709.782712893384,
+            -708.3964185322641,
+            36.7,
+            -36.7,
+            1,
+            -1,
+        ),
+        *neighbours(-745.1332191019411, -745.1332191019412),
+    ],
 )
 LN = unary(
-    mixture((5, FULL), (3, uniform(0.3, 3)), (2, near(1, 1)), (2, near(1, -1)), (1, log_uniform(TINY, 1e-300))),
-    [0.0, TINY, 1e-310, *ENDS, -1.0, *neighbours(1, 2, 0.5, np.sqrt(2), np.sqrt(0.5), 2.2250738585072014e-308)],
+    mixture(
+        (5, FULL),
+        (3, uniform(0.3, 3)),
+        (2, near(1, 1)),
+        (2, near(1, -1)),
+        (1, log_uniform(TINY, 1e-300)),
+    ),
+    [
+        0.0,
+        TINY,
+        1e-310,
+        *ENDS,
+        -1.0,
+        *neighbours(1, 2, 0.5, np.sqrt(2), np.sqrt(0.5), 2.2250738585072014e-308),
+    ],
 )
 LN_1P = unary(
     mixture(
-        (3, signed(log_uniform(1e-20, 1))), (3, uniform(-1, 3)), (2, FULL), (1, signed(log_uniform(TINY, 1))), (2, near(-1, 1))
+        (3, signed(log_uniform(1e-20, 1))),
+        (3, uniform(-1, 3)),
+        (2, FULL),
+        (1, signed(log_uniform(TINY, 1))),
+        (2, near(-1, 1)),
     ),
-    [*EVERYWHERE, *ENDS, *neighbours(-1, 1, np.sqrt(2) - 1, np.sqrt(0.5) - 1, 2.0**53, 2.0**54, -0.5), -2.0],
+    [
+        *EVERYWHERE,
+        *ENDS,
+        *neighbours(-1, 1, np.sqrt(2) - 1, np.sqrt(0.5) - 1, 2.0**53, 2.0**54, -0.5),
+        -2.0,
+    ],
 )
 LOG1PMX = unary(
     mixture(
@@ -119,24 +172,32 @@ CIRCLE = unary(
         -TURN,
         TURN,
     ),
-    [*EVERYWHERE, np.inf, -np.inf, np.nan]
+    [*EVERYWHERE, np.inf, -np.inf, np.nan, 6.3, -1e300]
     + [v for v in neighbours(*(k * PI / 4 for k in range(-8, 9) if k)) if abs(v) <= TURN],
 )
 ATAN = unary(
     mixture((4, signed(log_uniform(1e-10, 1e10))), (4, uniform(-4, 4)), (2, signed(FULL))),
-    [*EVERYWHERE, *ENDS, *neighbours(1, -1, np.sqrt(2) - 1, np.sqrt(2) + 1, np.sqrt(3), 7 / 16, 11 / 16, 19 / 16, 39 / 16)],
+    [
+        *EVERYWHERE,
+        *ENDS,
+        *neighbours(
+            1, -1, np.sqrt(2) - 1, np.sqrt(2) + 1, np.sqrt(3), 7 / 16, 11 / 16, 19 / 16, 39 / 16
+        ),
+    ],
 )
 
 
 def plane(rng: Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Points in every direction: of any two sizes, of like sizes, and close to the axes' and diagonals' directions."""
+    """Points of any two sizes, of like sizes, and close to the diagonals."""
     wide = signed(FULL)
     near_one = signed(log_uniform(1e-3, 1e3))
     y, x = near_one(rng, count), near_one(rng, count)
     some = rng.random(count) < 0.3
     y[some], x[some] = wide(rng, some.sum()), wide(rng, some.sum())
     some = rng.random(count) < 0.1
-    x[some] = (rng.choice([-1, 1], some.sum()) * y[some]) * (1 + signed(log_uniform(1e-16, 0.1))(rng, some.sum()))
+    x[some] = (rng.choice([-1, 1], some.sum()) * y[some]) * (
+        1 + signed(log_uniform(1e-16, 0.1))(rng, some.sum())
+    )
     return y, x
 
 
@@ -150,11 +211,21 @@ ATAN2 = Arguments(
     + [(np.nan, 1.0), (1.0, np.nan)],
 )
 
-# Lambert W -----------------------------------------------------------------------------------------------------------
+# Lambert W --------------------------------------------------
 
 INVERSE_E = -BRANCH_POINT
 BEFORE_BRANCH = np.nextafter(BRANCH_POINT, 0)
-W_CORNERS = [*neighbours(BRANCH_POINT), np.nextafter(BEFORE_BRANCH, 0), -0.4, -0.35, -0.25, -0.1, -TINY, -1e-310, -1e-300]
+W_CORNERS = [
+    *neighbours(BRANCH_POINT),
+    np.nextafter(BEFORE_BRANCH, 0),
+    -0.4,
+    -0.35,
+    -0.25,
+    -0.1,
+    -TINY,
+    -1e-310,
+    -1e-300,
+]
 
 W0 = unary(
     mixture(
@@ -176,12 +247,23 @@ WM1 = unary(
     [*W_CORNERS, *EVERYWHERE, *ENDS, 1.0],
 )
 W0_OFFSET = unary(
-    mixture((3, log_uniform(1e-20, 1)), (3, uniform(0, 3)), (2, FULL), (1, near(INVERSE_E, 1)), (1, near(INVERSE_E, -1))),
+    mixture(
+        (3, log_uniform(1e-20, 1)),
+        (3, uniform(0, 3)),
+        (2, FULL),
+        (1, near(INVERSE_E, 1)),
+        (1, near(INVERSE_E, -1)),
+    ),
     [*EVERYWHERE, *ENDS, *neighbours(INVERSE_E), 1.0, -1.0],
 )
 WM1_OFFSET = unary(
     clipped(
-        mixture((4, log_uniform(1e-20, 0.36)), (4, uniform(0, INVERSE_E)), (1, log_uniform(TINY, 0.36)), (3, near(INVERSE_E, -1))),
+        mixture(
+            (4, log_uniform(1e-20, 0.36)),
+            (4, uniform(0, INVERSE_E)),
+            (1, log_uniform(TINY, 0.36)),
+            (3, near(INVERSE_E, -1)),
+        ),
         TINY,
         np.nextafter(INVERSE_E, 0),
     ),
@@ -189,7 +271,7 @@ WM1_OFFSET = unary(
 )
 TREE = Arguments(lambda rng, count: (-W0.draw(rng, count)[0],), [(-z,) for (z,) in W0.corners])
 
-# Motion --------------------------------------------------------------------------------------------------------------
+# Motion --------------------------------------------------
 
 ANGLE = clipped(
     mixture(
@@ -204,15 +286,43 @@ ANGLE = clipped(
     0,
     PI,
 )
-DRAG = mixture((6, log_uniform(0.01, 100)), (2, log_uniform(1e-8, 1e8)), (2, log_uniform(TINY, 1e300)), (1, uniform(0, 3)))
-ANGLES = [0.0, TINY, 1e-310, 1e-300, 1e-20, 1e-8, 0.1, PI / 4, 1.0, *neighbours(HALF_PI), 2.0, 3.0, np.nextafter(PI, 0), PI]
+DRAG = mixture(
+    (6, log_uniform(0.01, 100)),
+    (2, log_uniform(1e-8, 1e8)),
+    (2, log_uniform(TINY, 1e300)),
+    (1, uniform(0, 3)),
+)
+ANGLES = [
+    0.0,
+    TINY,
+    1e-310,
+    1e-300,
+    1e-20,
+    1e-8,
+    0.1,
+    PI / 4,
+    1.0,
+    *neighbours(HALF_PI),
+    2.0,
+    3.0,
+    np.nextafter(PI, 0),
+    PI,
+]
 DRAGS = [0.0, TINY, 1e-308, 1e-20, 1e-8, 0.1, 1.0, 2.0, BRANCH_CHANGE, 3.0, 10.0, 1e8, 1e20, 1e300]
-OUTSIDE = [(-0.1, 1.0), (np.nextafter(PI, 4), 1.0), (-TINY, 1.0), (1.0, -TINY), (1.0, -1.0), (np.nan, 1.0), (1.0, np.nan)]
+OUTSIDE = [
+    (-0.1, 1.0),
+    (np.nextafter(PI, 4), 1.0),
+    (-TINY, 1.0),
+    (1.0, -TINY),
+    (1.0, -1.0),
+    (np.nan, 1.0),
+    (1.0, np.nan),
+]
 OUTSIDE += [(np.inf, 1.0), (-np.inf, 1.0), (1.0, np.inf), (1.0, -np.inf)]
 
 
 def angle_and_drag(rng: Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Angles and drags; one pair in ten with ε sin(angle) log-uniformly close to where (13) changes branch."""
+    """Angles and drags; one pair in ten has ε sin(angle) close to where (13) changes branch."""
     angle, drag = ANGLE(rng, count), DRAG(rng, count)
     some = (rng.random(count) < 0.1) & (angle > 1e-100)
     off = 1 + signed(log_uniform(1e-16, 0.1))(rng, some.sum())

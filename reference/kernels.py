@@ -12,8 +12,21 @@ ROOT = Path(__file__).resolve().parent.parent
 
 @cache
 def binary() -> str:
-    """Build the example and answer where cargo put it."""
-    command = ["cargo", "build", "--release", "--quiet", "--package", "archerfish", "--example", "evaluate"]
+    """Build the example and answer where cargo put it.
+
+    In the profile that `cargo test` builds it in as well; every profile gives the same bits.
+    """
+    command = [
+        "cargo",
+        "build",
+        "--profile",
+        "test",
+        "--quiet",
+        "--package",
+        "archerfish",
+        "--example",
+        "evaluate",
+    ]
     done = subprocess.run(
         [*command, "--message-format=json"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True
     )
@@ -23,5 +36,7 @@ def binary() -> str:
 
 def evaluate(name: str, *arguments: np.ndarray) -> np.ndarray:
     interleaved = np.stack([np.asarray(a, "<f8") for a in arguments], axis=-1)
-    done = subprocess.run([binary(), name], input=interleaved.tobytes(), check=True, stdout=subprocess.PIPE)
+    done = subprocess.run(
+        [binary(), name], input=interleaved.tobytes(), check=True, stdout=subprocess.PIPE
+    )
     return np.frombuffer(done.stdout, "<f8").astype(float)

@@ -4,9 +4,10 @@ Everything is one equation in v = 1 + w, on one side of the branch point v = 0:
 
     (v - 1) e^(v-1) + 1/e = d,    d = z + 1/e >= 0,
 
-whose left side falls for v < 0 and rises for v > 0. A root is guessed by Newton's method and then proved: the left side
-minus d is shown to have opposite signs at the two ends of a narrow ball (`bisected` in the tests finds the same roots by
-bisection alone). Next to the branch point d is formed from an exact z and enough bits of 1/e, so nothing is lost there.
+whose left side falls for v < 0 and rises for v > 0. A root is guessed by Newton's method and then
+proved: the left side minus d is shown to have opposite signs at the two ends of a narrow ball
+(`bisected` in the tests finds the same roots by bisection alone). Next to the branch point d is
+formed from an exact z and enough bits of 1/e, so nothing is lost there.
 
 The double nearest -1/e lies below -1/e; by the crate's rule it counts as the branch point.
 """
@@ -15,7 +16,7 @@ import math
 
 from flint import arb, ctx
 
-from reference.ball import OutsideDomain, exponent
+from reference.ball import OutsideDomainError, exponent
 
 #: The double nearest -1/e.
 BRANCH_POINT = -math.exp(-1.0)
@@ -44,7 +45,7 @@ def guess(d: arb, side: int) -> arb:
 
 
 def offset_root(d: arb, side: int) -> arb:
-    """The v with excess(v) = d on the given side of 0, as a proven ball; NaN asks for more precision."""
+    """The v with excess(v) = d on one side of 0, as a proven ball; NaN asks for more precision."""
     if not d > 0 or (side == LOWER and not d < arb(-1).exp()):
         return arb.nan()
     v = guess(d, side)
@@ -71,7 +72,7 @@ def lambertw(z: float, side: int) -> arb | float:
         return arb(-1)
     d = arb(z) + arb(-1).exp()
     if z < BRANCH_POINT:
-        raise OutsideDomain
+        raise OutsideDomainError
     return offset_root(d, side) - 1
 
 
@@ -87,13 +88,13 @@ def lambertwm1(z: float) -> arb | float:
     if z == 0:
         return -math.inf
     if z > 0:
-        raise OutsideDomain
+        raise OutsideDomainError
     return lambertw(z, LOWER)
 
 
 def lambertw0_offset(d: float) -> arb | float:
     if d < 0:
-        raise OutsideDomain
+        raise OutsideDomainError
     if d == 0:
         return arb(0)
     if d == math.inf:
@@ -104,7 +105,7 @@ def lambertw0_offset(d: float) -> arb | float:
 def lambertwm1_offset(d: float) -> arb | float:
     """1 + W₋₁(-1/e + d), for d up to 1/e."""
     if d < 0 or d > -BRANCH_POINT:
-        raise OutsideDomain
+        raise OutsideDomainError
     if d == 0:
         return arb(0)
     if d == -BRANCH_POINT:  # the double nearest 1/e counts as 1/e, where the branch goes to -∞

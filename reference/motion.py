@@ -1,10 +1,12 @@
 """The apex and its locus, by two roads.
 
-`slow` holds every quantity by its definition: the equation of motion is integrated and the zero of ẏ found (flow.py), α(θ) is the
-shot whose apex is seen at θ, found by Newton's method kept inside a shrinking bracket, and derivatives follow the shot through
-the integration. `fast` replaces the integration by the paper's solution of it, equations (7), (8) and (10) exactly as printed -
-logarithms and all, cancellation made good by as many bits as it costs - which is what runs of 10⁵ inputs can afford. Tests hold one
-against the other. Neither uses the crate's φ, G or any of its rearrangements.
+`slow` holds every quantity by its definition: the equation of motion is integrated and the zero of
+ẏ found (flow.py), α(θ) is the shot whose apex is seen at θ, found by Newton's method kept inside a
+shrinking bracket, and derivatives follow the shot through the integration. `fast` replaces the
+integration by the paper's solution of it, equations (7), (8) and (10) exactly as printed -
+logarithms and all, cancellation made good by as many bits as it costs - which is what runs of 10⁵
+inputs can afford. Tests hold one against the other. Neither uses the crate's φ, G or any of its
+rearrangements.
 """
 
 import math
@@ -14,7 +16,7 @@ from functools import lru_cache
 from flint import arb, arb_series, ctx
 
 from reference import flow, geometry
-from reference.ball import OutsideDomain, exponent, precision
+from reference.ball import OutsideDomainError, exponent, precision
 from reference.geometry import TERMS, Locus
 
 Value = arb | tuple[arb, arb]
@@ -23,10 +25,10 @@ Value = arb | tuple[arb, arb]
 def inside(angle: float, eps: float) -> None:
     """Angles beyond [0, π], a negative ε or an infinite one: no value."""
     if not (0 <= angle <= math.pi and 0 <= eps < math.inf):
-        raise OutsideDomain
+        raise OutsideDomainError
 
 
-# The fast road ----------------------------------------------------------------------------------------------------
+# The fast road --------------------------------------------------
 
 
 def small_bits(size: arb) -> int:
@@ -75,7 +77,9 @@ def fast_locus(theta: float, eps: float, bits: int) -> Locus:
     mirrored = theta > math.pi / 2
     with precision(bits + 4 * lost + 128):
         wanted = (arb.pi() - arb(theta) if mirrored else arb(theta)).tan()
-        t = proven_root(lambda t: tan_elevation(t, arb(eps)) - wanted, guess(wanted, eps), bits + 2 * lost)
+        t = proven_root(
+            lambda t: tan_elevation(t, arb(eps)) - wanted, guess(wanted, eps), bits + 2 * lost
+        )
         alpha = arb.pi() - t.atan() if mirrored else t.atan()
         return by_paper(alpha, arb(eps))
 
@@ -95,7 +99,7 @@ def guess(tan_theta: arb, eps: float) -> arb:
 
 
 def proven_root(function: Callable[[arb], arb], start: arb, bits: int) -> arb:
-    """The root of a rising function by the secant method, as a ball of 2^-bits between two proven signs; else NaN."""
+    """The root of a rising function by secants, as a ball between two proven signs; else NaN."""
     width = arb(2) ** -bits
     before, t = start * (1 + arb(2) ** -40), start
     f_before, f = function(before).mid(), function(t).mid()
@@ -114,7 +118,7 @@ def proven_root(function: Callable[[arb], arb], start: arb, bits: int) -> arb:
     return arb.nan()
 
 
-# The slow road ----------------------------------------------------------------------------------------------------
+# The slow road --------------------------------------------------
 
 
 @lru_cache(maxsize=16)
@@ -149,7 +153,7 @@ def slow_locus(theta: float, eps: float, bits: int) -> Locus:
     raise ArithmeticError(f"no launch angle found for {theta}, {eps}")
 
 
-# Quantities -------------------------------------------------------------------------------------------------------
+# Quantities --------------------------------------------------
 
 Road = Callable[[float, float, int], Locus]
 
@@ -177,12 +181,15 @@ DEFINITIONS = {
     "apex_time": f"the time at which the vertical velocity of {FLIGHT} is zero",
     "apex_distance": f"the distance from the origin to the apex of {FLIGHT}",
     "apex_elevation": f"the polar angle of the apex of {FLIGHT}",
-    "apex_curvature": f"the curvature (x' y'' - y' x'')/(x'^2 + y'^2)^(3/2) of the locus of the apexes of {FLIGHT}",
+    "apex_curvature": "the curvature (x' y'' - y' x'')/(x'^2 + y'^2)^(3/2) of the locus of the "
+    f"apexes of {FLIGHT}",
     "locus_launch_angle": f"the launch angle whose apex, by {FLIGHT}, has the polar angle theta",
-    "locus_launch_angle_d1": f"the derivative by theta of the launch angle whose apex, by {FLIGHT}, has the polar angle theta",
+    "locus_launch_angle_d1": "the derivative by theta of the launch angle whose apex, by "
+    f"{FLIGHT}, has the polar angle theta",
     "locus_launch_angle_d2": "the second derivative by theta of the launch angle whose apex, by "
     f"{FLIGHT}, has the polar angle theta; ulp of the larger of it and its greatest term",
-    "locus_radius": f"the distance from the origin to that apex of {FLIGHT} whose polar angle is theta",
+    "locus_radius": "the distance from the origin to that apex whose polar angle is theta, of "
+    f"{FLIGHT}",
     "locus_curvature": f"the curvature of the locus of the apexes of {FLIGHT} at polar angle theta",
 }
 

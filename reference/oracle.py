@@ -33,7 +33,9 @@ def direct(function: Callable, definition: str, names: str, arguments: Arguments
     return Function(value, value, definition, tuple(names.split()), arguments, 1.0)
 
 
-def by_road(name: str, angle: str, fast: motion.Road, slow: motion.Road, quantity: Callable) -> Function:
+def by_road(
+    name: str, angle: str, fast: motion.Road, slow: motion.Road, quantity: Callable
+) -> Function:
     quick, defined = motion.along(fast, quantity), motion.along(slow, quantity)
     return Function(
         lambda *row: exact(quick, *row),
@@ -64,19 +66,39 @@ FUNCTIONS: dict[str, Function] = {
     "atan": direct(elementary.atan, "arctan x", "x", inputs.ATAN),
     "atan2": direct(elementary.atan2, "the angle of the point (x, y)", "y x", inputs.ATAN2),
     "log1pmx": direct(elementary.log1pmx, "ln(1 + x) - x", "x", inputs.LOG1PMX),
-    "lambertw0": direct(lambert.lambertw0, "the root w >= -1 of w e^w = z; -1 at the double nearest -1/e", "z", inputs.W0),
-    "lambertwm1": direct(lambert.lambertwm1, "the root w <= -1 of w e^w = z; -1 at the double nearest -1/e", "z", inputs.WM1),
-    "lambertw0_offset": direct(lambert.lambertw0_offset, "the root v >= 0 of (v-1) e^(v-1) = d - 1/e", "d", inputs.W0_OFFSET),
-    "lambertwm1_offset": direct(
-        lambert.lambertwm1_offset, "the root v <= 0 of (v-1) e^(v-1) = d - 1/e", "d", inputs.WM1_OFFSET
+    "lambertw0": direct(
+        lambert.lambertw0,
+        "the root w >= -1 of w e^w = z; -1 at the double nearest -1/e",
+        "z",
+        inputs.W0,
     ),
-    "tree": direct(lambert.tree, "the root t <= 1 of t e^-t = z; 1 at the double nearest 1/e", "z", inputs.TREE),
+    "lambertwm1": direct(
+        lambert.lambertwm1,
+        "the root w <= -1 of w e^w = z; -1 at the double nearest -1/e",
+        "z",
+        inputs.WM1,
+    ),
+    "lambertw0_offset": direct(
+        lambert.lambertw0_offset,
+        "the root v >= 0 of (v-1) e^(v-1) = d - 1/e",
+        "d",
+        inputs.W0_OFFSET,
+    ),
+    "lambertwm1_offset": direct(
+        lambert.lambertwm1_offset,
+        "the root v <= 0 of (v-1) e^(v-1) = d - 1/e",
+        "d",
+        inputs.WM1_OFFSET,
+    ),
+    "tree": direct(
+        lambert.tree, "the root t <= 1 of t e^-t = z; 1 at the double nearest 1/e", "z", inputs.TREE
+    ),
     **BY_ANGLE,
 }
 
 
 def groups(names: Iterable[str]) -> list[list[str]]:
-    """Names that share their arguments and their road, and so most of the work of their exact values."""
+    """Names that share their arguments and their road, and so most of the work."""
     together: dict[tuple, list[str]] = {}
     for name in names:
         function = FUNCTIONS[name]
@@ -95,7 +117,9 @@ def sample(name: str, count: int, seed: Sequence[int] | int) -> tuple[np.ndarray
     function = FUNCTIONS[name]
     drawn = function.arguments.draw(np.random.default_rng(seed), count)
     corners = zip(*function.arguments.corners, strict=True)
-    return tuple(np.concatenate([np.array(c, float), d]) for c, d in zip(corners, drawn, strict=True))
+    return tuple(
+        np.concatenate([np.array(c, float), d]) for c, d in zip(corners, drawn, strict=True)
+    )
 
 
 def values(name: str, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

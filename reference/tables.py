@@ -1,11 +1,12 @@
-"""Write reference/tables/*.csv: exact values at adversarial and random points, read by the tests of every door.
+"""Write reference/tables/*.csv: exact values at adversarial and random points.
 
     python -m reference.tables              all of them
     python -m reference.tables apex_x exp   some
 
-Values come by definition alone (`Function.defined`: the slow road for the motion), and the fast road must give the same. Doubles
-are written in hexadecimal. `value` is the double nearest to the exact value, `rest` the exact value minus it, in units of
-`ulp`, so that a computed double has the error abs((got - value) / ulp - rest).
+Values come by definition alone (`Function.defined`: the slow road for the motion), and the fast
+road must give the same. Doubles are written in hexadecimal. `value` is the double nearest to the
+exact value, `rest` the exact value minus it, in units of `ulp`, so that a computed double has the
+error abs((got - value) / ulp - rest).
 """
 
 import argparse
@@ -34,14 +35,18 @@ def rows(name: str) -> list[Row]:
 
 
 def written(arguments: Row, value: Rounded) -> str:
-    return ",".join([*(v.hex() for v in arguments), value.hi.hex(), repr(value.rest), value.ulp.hex()])
+    return ",".join(
+        [*(v.hex() for v in arguments), value.hi.hex(), repr(value.rest), value.ulp.hex()]
+    )
 
 
 def line(name: str, arguments: Row) -> str:
     function = oracle.FUNCTIONS[name]
     value = function.defined(*arguments)
     if not agree(value, function.exact(*arguments)):
-        raise ArithmeticError(f"{name}{arguments}: the roads differ: {value}, {function.exact(*arguments)}")
+        raise ArithmeticError(
+            f"{name}{arguments}: the roads differ: {value}, {function.exact(*arguments)}"
+        )
     return written(arguments, value)
 
 
@@ -55,8 +60,10 @@ def header(name: str) -> str:
     function = oracle.FUNCTIONS[name]
     return (
         f"# {name}({', '.join(function.names)}): {function.definition}\n"
-        f"# written by: python -m reference.tables {name} (python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__})\n"
-        "# value: the nearest double; rest: exact - value, in ulp; error of a double: abs((got - value) / ulp - rest)\n"
+        f"# written by: python -m reference.tables {name} "
+        f"(python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__})\n"
+        "# value: the nearest double; rest: exact - value, in ulp; "
+        "error of a double: abs((got - value) / ulp - rest)\n"
         f"{','.join(function.names)},value,rest,ulp\n"
     )
 
@@ -84,8 +91,12 @@ def number(text: str) -> float:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="public functions; all of them without")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help="public functions; all of them without"
+    )
     names = parser.parse_args().names or list(oracle.FUNCTIONS)
     unknown = [name for name in names if name not in oracle.FUNCTIONS]
     if unknown:
