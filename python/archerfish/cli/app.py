@@ -72,7 +72,9 @@ def run(arguments: list[str]) -> int:
         return _complain(_command(error), error.format_message(), BAD_INPUT)
     except click.UsageError as error:
         where = _command(error)
-        return _complain(where, f"{error.format_message()} See {where} --help.", BAD_INPUT)
+        message = error.format_message()
+        stop = "" if message.endswith((".", "?")) else "."
+        return _complain(where, f"{message}{stop} See {where} --help.", BAD_INPUT)
     except click.ClickException as error:
         return _complain("archerfish", error.format_message(), error.exit_code)
     except (click.Abort, KeyboardInterrupt):

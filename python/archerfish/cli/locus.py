@@ -117,8 +117,8 @@ def locus(
     text = terminal.summary(launcher) + terminal.points_table(TITLES[by], short)
     if chosen == "table" and output is not None:
         write_whole(output, text.encode())
-        return
-    click.echo(text, nl=False)
+    else:
+        click.echo(text, nl=False)
     for path in (*([output] if output else []), *figure_paths):
         click.echo(f"wrote {path}")
 

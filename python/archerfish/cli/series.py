@@ -135,7 +135,12 @@ def _latex(wanted: list[LaunchAngleSeries]) -> str:
                 numerator, denominator = _over_common_denominator(
                     polynomial, r"\varepsilon", lambda power: f"^{{{power}}}"
                 )
-                lines.append(rf"  \\ &\quad + \frac{{{numerator}}}{{{denominator}}}\,T^{{{k}}}")
+                # The sign of a single term stands before its fraction.
+                sign = "-" if numerator.startswith("−") and " " not in numerator else "+"
+                numerator = numerator.removeprefix("−") if sign == "-" else numerator
+                lines.append(
+                    rf"  \\ &\quad {sign} \frac{{{numerator}}}{{{denominator}}}\,T^{{{k}}}"
+                )
         lines += [r"  + \cdots, \qquad T = 2\tan\theta", r"\end{align*}"]
     return "\n".join(lines).replace("−", "-") + "\n"
 
@@ -197,7 +202,8 @@ def _comparison_table(data: ConvergenceData, wanted: list[Of]) -> str:
                         *(f"{error:.1e}" for error in np.degrees(data.error[of][i, :, p])),
                     ]
                 )
-            title = f"ε = {eps:g}: converges for T below {reach:.6f}, θ below {limit:.4f}°"
+            bounds = f"T below {reach:.6f}, θ below {limit:.4f}°" if eps > 0 else "every θ"
+            title = f"ε = {eps:g}: converges for {bounds}"
             text += grid_table(title, headings, rows)
     return text
 

@@ -1,0 +1,162 @@
+"""Bad input: one clear line, status 2. What cannot be written: one line, status 1, no file."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+SHOT = ("locus", "--speed", "10", "--epsilon", "0.1")
+
+BAD = [
+    (
+        ("locus", "--speed", "10"),
+        "archerfish locus: give exactly one of epsilon, drag_rate, terminal_speed; got none",
+    ),
+    (
+        ("locus", "--speed", "10", "--epsilon", "1", "--drag-rate", "2"),
+        "archerfish locus: give exactly one of epsilon, drag_rate, terminal_speed; "
+        "got epsilon and drag_rate",
+    ),
+    (
+        ("locus", "--speed", "0", "--epsilon", "1"),
+        "archerfish locus: speed must be above 0 and finite, got 0.0",
+    ),
+    (
+        ("locus", "--speed", "nan", "--epsilon", "1"),
+        "archerfish locus: speed must be above 0 and finite, got nan",
+    ),
+    (
+        ("locus", "--speed", "10", "--epsilon", "-0.1"),
+        "archerfish locus: epsilon must be at least 0 and finite, got -0.1",
+    ),
+    (
+        ("locus", "--speed", "10", "--terminal-speed", "0"),
+        "archerfish locus: terminal_speed must be above 0, got 0.0",
+    ),
+    ((*SHOT, "--gravity", "inf"), "archerfish locus: gravity must be above 0 and finite, got inf"),
+    (
+        ("locus", "--epsilon", "1"),
+        "archerfish locus: Missing option '--speed'. See archerfish locus --help.",
+    ),
+    (
+        (*SHOT, "--points", "1"),
+        "archerfish locus: Invalid value for '--points': 1 is not in the range 2<=x<=10000000. "
+        "See archerfish locus --help.",
+    ),
+    (
+        (*SHOT, "--by", "time"),
+        "archerfish locus: Invalid value for '--by': 'time' is not one of 'launch-angle', "
+        "'elevation'. See archerfish locus --help.",
+    ),
+    (
+        (*SHOT, "--output", "a.csv", "--figure", "a.gif"),
+        "archerfish locus: a figure must end in .png, .svg, .pdf, got a.gif",
+    ),
+    (("figure", "7"), "archerfish figure: figure must be from 1 to 6, got 7"),
+    (
+        ("figure", "2", "--epsilon", "-1"),
+        "archerfish figure: epsilon must be at least 0 and finite, got -1.0",
+    ),
+    (("series", "--order", "99"), "archerfish series: order must be from 1 to 40, got 99"),
+    (
+        ("series", "--epsilon", "1"),
+        "archerfish series: --epsilon and --elevation go with --compare. "
+        "See archerfish series --help.",
+    ),
+    (
+        ("series", "--compare", "--epsilon", "nan"),
+        "archerfish series: epsilon must be at least 0 and finite, got nan",
+    ),
+    (
+        ("locos",),
+        "archerfish: No such command 'locos'. Did you mean 'locus'? See archerfish --help.",
+    ),
+]
+
+
+@pytest.mark.parametrize(("arguments", "line"), BAD)
+def test_bad_input_is_one_line_and_status_2(command, tmp_path, arguments, line):
+    done = command(*arguments)
+    assert done.stderr == line + "\n"
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "reason"),
+    [
+        ("missing/a.csv", "No such file or directory"),
+        ("file/a.csv", "Not a directory"),
+        ("folder", "Is a directory"),
+    ],
+)
+@pytest.mark.parametrize(
+    "arguments",
+    [(*SHOT, "--format", "csv", "--output"), ("series", "--order", "2", "--output")],
+)
+def test_unwritable_output_is_one_line_and_status_1(command, tmp_path, path, reason, arguments):
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    done = command(*arguments, path)
+    assert done.stderr == f"archerfish: cannot write {path}: {reason}\n"
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["file", "folder"]
+    assert list((tmp_path / "folder").iterdir()) == []
+
+
+def test_unwritable_figure_is_one_line_and_status_1(command, tmp_path):
+    done = command(*SHOT, "--output", "a.csv", "--figure", "missing/a.svg")
+    assert done.stderr == "archerfish: cannot write missing/a.svg: No such file or directory\n"
+    assert done.returncode == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_disk_that_fills_up_leaves_no_part_of_a_file(tmp_path):
+    resource = pytest.importorskip("resource")
+    done = subprocess.run(
+        [sys.executable, "-m", "archerfish", *SHOT, "--output", "a.csv"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512)),
+    )
+    assert done.stderr == "archerfish: cannot write a.csv: File too large\n"
+    assert done.returncode == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_standard_output_that_is_full(tmp_path):
+    with open("/dev/full", "w") as full:  # noqa: PTH123
+        done = subprocess.run(
+            [sys.executable, "-m", "archerfish", *SHOT],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            cwd=tmp_path,
+            check=False,
+        )
+    assert done.stderr == "archerfish: cannot write standard output: No space left on device\n"
+    assert done.returncode == 1
+
+
+def test_a_reader_that_stops_reading_ends_the_command_quietly(tmp_path):
+    ask = f"{sys.executable} -m archerfish locus --speed 10 --epsilon 1 --points 50000 --format csv"
+    done = subprocess.run(
+        ["bash", "-c", f"set -o pipefail; {ask} | head -1"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert done.stderr == ""
+    assert done.stdout.startswith("launch_angle_deg,")
+    assert done.returncode == 128 + 13
+
+
+def test_a_terminal_without_greek_letters_gets_an_answer(output):
+    text = output(*SHOT, encoding="latin-1", env=os.environ | {"PYTHONIOENCODING": "latin-1"})
+    assert "drag parameter ?" in text
