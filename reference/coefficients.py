@@ -6,6 +6,10 @@
 Each entry of FITS names a function, an interval, a degree and a weight; the polynomial with the
 smallest greatest weighted error is found by Remez's exchange at 60 digits and printed with its
 error after rounding the coefficients to double.
+
+Each entry of STARTS names a rational function that starts an iteration. It needs few digits, so it
+is found by Lawson's weighted least squares in double precision; another machine's linear algebra
+may print other last digits of an equally good start.
 """
 
 from __future__ import annotations
@@ -15,6 +19,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import mpmath as mp
+import numpy as np
 
 mp.mp.dps = 60
 
@@ -83,6 +88,25 @@ def atan_tail(z):
     )(z)
 
 
+def branch_tail(branch):
+    """(v − p + p²/3) / p³ with v = 1 + W and p = ±√(2(1 + ez)), + on the principal branch."""
+    taylor = ["11/72", "-43/540", "769/17280", "-221/8505", "680863/43545600", "-1963/204120"]
+
+    def value(p):
+        if abs(p) < mp.mpf("1e-9"):
+            return mp.fsum(mp.fdiv(*map(int, c.split("/"))) * p**k for k, c in enumerate(taylor))
+        with mp.workdps(120):
+            v = 1 + mp.lambertw((p * p / 2 - 1) / mp.e, branch).real
+            return (v - p + p * p / 3) / p**3
+
+    return value
+
+
+def rough_log(f):
+    """ln(1 + f) / f."""
+    return taylor_near_zero(lambda t: mp.log1p(t) / t, lambda k: mp.mpf(-1) ** k / (k + 1))(f)
+
+
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
 ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
@@ -93,6 +117,9 @@ FITS = {
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
+    "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
+    "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
+    "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
 
@@ -145,17 +172,98 @@ def remez(fit, iterations=12):
     return [float(c) for c in coefficients], worst
 
 
+class Start(NamedTuple):
+    """Samples of a variable, the function there, and the relative error that can be borne."""
+
+    variable: Any
+    function: Any
+    bearable: Any
+    numerator_degree: int
+    denominator_degree: int
+
+
+def bearable_error(w):
+    """Relative error of w that one step of fourth order (lambert/step.rs) brings to 2⁻⁵⁷."""
+    i = 1 / (1 + w)
+    a, b, c = (1 + w / 2) * i, (1 / 2 + w / 6) * i, (1 / 6 + w / 24) * i
+    return (2.0**-57 * abs(w) / abs(5 * a**3 - 5 * a * b + c)) ** 0.25 / abs(w)
+
+
+def principal_start():
+    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e)), for z ≥ −0.322."""
+    end = -np.log(1 - 1 / np.e)
+    y = np.concatenate([np.linspace(0.26, 3, 2500), np.linspace(3, np.sqrt(709.79 + end), 2500)])
+    logarithm = y * y - end
+    y, logarithm = y[abs(logarithm) > 1e-2], logarithm[abs(logarithm) > 1e-2]
+    # w + ln w = ln z for the great ones, which expm1 would overflow
+    w = np.array([float(mp.lambertw(mp.expm1(mp.mpf(x))).real) for x in logarithm])
+    return Start(y, w / logarithm, bearable_error(w), 7, 6)
+
+
+def lower_start():
+    """(−1 − W₋₁(z))/η as a function of η = √(2(−1 − ln(−z))), for z ≥ −0.322."""
+    w = -np.concatenate([np.linspace(1.52, 4, 1500), np.geomspace(4, 752, 1500)])
+    eta = np.sqrt(2 * (-w - np.log(-w) - 1))
+    # the error of 1 + ηR is ηR/w of that of R
+    return Start(eta, (-1 - w) / eta, bearable_error(w) * w / (1 + w), 4, 3)
+
+
+STARTS = {"principal_start": principal_start, "lower_start": lower_start}
+
+
+def lawson(start, iterations=800):
+    """Numerator and denominator in the variable, lowest degree first, and the greatest error."""
+    # the fit is done in y/(y + 1), which makes the long interval short
+    y, m, n = start.variable, start.numerator_degree, start.denominator_degree
+    x = y / (y + 1)
+    low, high = x.min(), x.max()
+    basis = np.polynomial.chebyshev.chebvander(2 * (x - low) / (high - low) - 1, max(m, n))
+    weight = 1 / start.bearable / abs(start.function)
+    lawson_weight, bottom, best = np.ones_like(x), np.ones_like(x), (np.inf, None)
+    for _ in range(iterations):
+        rows = np.hstack([basis[:, : m + 1], -start.function[:, None] * basis[:, 1 : n + 1]])
+        scale = np.sqrt(lawson_weight) * weight / abs(bottom)
+        solution, *_ = np.linalg.lstsq(rows * scale[:, None], start.function * scale, rcond=None)
+        bottom = 1 + basis[:, 1 : n + 1] @ solution[m + 1 :]
+        errors = abs(basis[:, : m + 1] @ solution[: m + 1] / bottom - start.function) * weight
+        if errors.max() < best[0]:
+            best = (errors.max(), solution)
+        lawson_weight *= errors / errors.mean() + 1e-3
+        lawson_weight /= lawson_weight.mean()
+
+    def in_variable(chebyshev):
+        """Chebyshev series in the scaled y/(y+1), times (y+1)^max(m, n), as a polynomial in y."""
+        scaled = np.polynomial.Polynomial([(-2 * low) / (high - low) - 1, 2 / (high - low)])
+        in_x = np.polynomial.chebyshev.cheb2poly(chebyshev)
+        in_x = np.polynomial.Polynomial(in_x)(scaled).coef
+        y, degree = np.polynomial.Polynomial([0, 1]), max(m, n)
+        return sum(c * y**k * (y + 1) ** (degree - k) for k, c in enumerate(in_x)).coef
+
+    top, bottom = in_variable(best[1][: m + 1]), in_variable(np.append(1, best[1][m + 1 :]))
+    return [float(f"{c:.10g}") for c in top / bottom[0]], [float(f"{c:.10g}") for c in bottom / bottom[0]], best[0]
+
+
+def print_table(name, coefficients):
+    print(f"const {name.upper()}: [f64; {len(coefficients)}] = [")
+    for c in coefficients:
+        print(f"    {c!r},")
+    print("];")
+
+
 def main(names):
-    for name in names or FITS:
+    for name in names or [*FITS, *STARTS]:
+        if name in STARTS:
+            top, bottom, worst = lawson(STARTS[name]())
+            print(f"// {name}: {worst:.2f} of the error that can be borne: reference/coefficients.py {name}")
+            print_table(f"{name}_top", top)
+            print_table(f"{name}_bottom", bottom)
+            continue
         fit = FITS[name]
         coefficients, worst = remez(fit)
         interval = f"[{mp.nstr(mp.mpf(fit.lower), 6)}, {mp.nstr(mp.mpf(fit.upper), 6)}]"
         print(f"// {name}: minimax on {interval}, degree {fit.degree},")
         print(f"// weighted error {mp.nstr(worst, 3)}: reference/coefficients.py {name}")
-        print(f"const {name.upper()}: [f64; {fit.degree + 1}] = [")
-        for c in coefficients:
-            print(f"    {c!r},")
-        print("];")
+        print_table(name, coefficients)
 
 
 if __name__ == "__main__":

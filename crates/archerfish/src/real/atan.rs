@@ -76,8 +76,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     let across = select(across + up == 0.0, 1.0, across);
     // a power of two brings the greater near 1 (in two steps: the exponents differ by up to 2098)
     let greatest = select(across > up, across, up);
-    let exponent = f64::from_bits((greatest.to_bits() >> 52) | 0x4330_0000_0000_0000)
-        - (4503599627370496.0 + 1023.0);
+    let exponent = super::exponent_field(greatest);
     let half = super::nearest_integer(0.5 * exponent);
     let scale = |a: f64| a * power_of_two(-half) * power_of_two(half - exponent);
     let scaled =

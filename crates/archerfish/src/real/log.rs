@@ -6,7 +6,9 @@
 //! rounded.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::{LN2_HI, LN2_LO, polynomial, select};
+use super::{
+    LN2_HI, LN2_LO, exponent_and_significand, nearest_integer, polynomial, power_of_two, select,
+};
 
 // atanh_tail: minimax on [0.0, 0.0294402], degree 6,
 // weighted error 1.11e-18: reference/coefficients.py atanh_tail
@@ -31,23 +33,14 @@ pub(crate) struct Logarithm {
     pub rho: DoubleDouble,
 }
 
-const SQRT_HALF_BITS: u64 = 0x3fe6_a09e_667f_3bcd;
-const ONE_BITS: u64 = 0x3ff0_0000_0000_0000;
-
 impl Logarithm {
     /// Of a positive normal number `w.hi + w.lo`.
     #[inline(always)]
     pub fn of(w: DoubleDouble) -> Self {
-        let bits = w.hi.to_bits();
-        // 2⁵² + (biased exponent of w/√½), read off as a double
-        let shifted = bits.wrapping_add(ONE_BITS - SQRT_HALF_BITS);
-        let k =
-            f64::from_bits((shifted >> 52) | 0x4330_0000_0000_0000) - (4503599627370496.0 + 1023.0);
-        let exponent = (shifted & 0xfff0_0000_0000_0000).wrapping_sub(ONE_BITS);
-        let m = f64::from_bits(bits.wrapping_sub(exponent));
+        let (k, m) = exponent_and_significand(w.hi);
         // 2⁻ᵏ in two halves: k reaches 1024, and 2⁻¹⁰²⁴ would not be a normal number
-        let low = w.lo * super::power_of_two(-super::nearest_integer(0.5 * k));
-        let low = low * super::power_of_two(super::nearest_integer(0.5 * k) - k);
+        let half = nearest_integer(0.5 * k);
+        let low = w.lo * power_of_two(-half) * power_of_two(half - k);
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };

@@ -52,7 +52,28 @@ pub(crate) fn nearest_integer(x: f64) -> f64 {
     (x + MAGIC) - MAGIC
 }
 
-/// Low and high part of ln 2; the high part has 42 bits, so that integers below 2¹¹ multiply it
+/// `(k, m)` with `w = 2ᵏ m` and m in [√½, √2), for a positive normal w.
+#[inline(always)]
+pub(crate) fn exponent_and_significand(w: f64) -> (f64, f64) {
+    const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
+    const ONE: u64 = 0x3ff0_0000_0000_0000;
+    const EXPONENT: u64 = 0xfff0_0000_0000_0000;
+    let bits = w.to_bits();
+    let shifted = bits.wrapping_add(ONE - SQRT_HALF);
+    let k = exponent_field(f64::from_bits(shifted));
+    let m = f64::from_bits(bits.wrapping_sub((shifted & EXPONENT).wrapping_sub(ONE)));
+    (k, m)
+}
+
+/// The exponent that the bits of a positive normal number hold, as a double.
+#[inline(always)]
+pub(crate) fn exponent_field(w: f64) -> f64 {
+    // the bits of 2⁵² + n hold the integer n
+    const TWO_52: f64 = 4503599627370496.0;
+    f64::from_bits((w.to_bits() >> 52) | TWO_52.to_bits()) - (TWO_52 + 1023.0)
+}
+
+/// High and low part of ln 2; the high part has 42 bits, so that integers below 2¹¹ multiply it
 /// exactly.
 pub(crate) const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fefa_3800);
 pub(crate) const LN2_LO: f64 = f64::from_bits(0x3d2e_f357_93c7_6730);

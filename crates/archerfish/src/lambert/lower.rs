@@ -1,0 +1,59 @@
+//! The lower branch, W ≤ −1.
+//!
+//! Method: near the branch point its series; elsewhere −w₀ = 1 + η R(η), η = √(2(−1 − ln(−z))),
+//! which is smooth even at the branch point, and one step.
+
+use super::branch::{INVERSE_E, NEAR, lower_near};
+use super::step::{correction, rough_ln};
+use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use crate::real::{polynomial, select, sqrt};
+
+// lower_start: 0.34 of the error that can be borne: reference/coefficients.py lower_start
+const LOWER_START_TOP: [f64; 5] =
+    [0.9990006798, 1.545478616, 0.6363287593, 0.1048867411, 0.0009347519875];
+const LOWER_START_BOTTOM: [f64; 5] =
+    [1.0, 1.208489039, 0.2103489449, 0.001859972751, 6.662871886e-08];
+
+/// W₋₁ to few digits, for z in [−0.322, −5e-324].
+#[inline(always)]
+fn start(z: f64) -> f64 {
+    let subnormal = z > -f64::MIN_POSITIVE;
+    let scaled = select(subnormal, z * -18014398509481984.0, -z); // 2⁵⁴
+    let logarithm = rough_ln(scaled) - select(subnormal, 54.0 * core::f64::consts::LN_2, 0.0);
+    let eta = sqrt(-2.0 * (1.0 + logarithm));
+    let quotient = polynomial(eta, &LOWER_START_TOP) / polynomial(eta, &LOWER_START_BOTTOM);
+    -(1.0 + eta * quotient)
+}
+
+/// Lambert W on the lower branch, W₋₁(z): the w ≤ −1 with `w eʷ = z`.
+///
+/// z in [−1/e, 0], NaN outside; −∞ at 0; the double nearest −1/e counts as the branch point and
+/// gives −1.
+#[inline(always)]
+pub fn lambertwm1(z: f64) -> f64 {
+    let offset = two_sum(z, INVERSE_E.hi);
+    let offset = fast_two_sum(offset.hi, offset.lo + INVERSE_E.lo);
+    let v = lower_near(offset);
+    let near = two_sum(-1.0, v.hi);
+    let w = start(z);
+    let far = w + correction(DoubleDouble::from(z), w);
+    let regular = select(offset.hi < NEAR, near.hi + (near.lo + v.lo), far);
+    let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
+    select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
+}
+
+/// `1 + W₋₁(−1/e + d)`, exact in d: like −√(2ed) for small d.
+///
+/// d in [0, 1/e], NaN outside; the double nearest 1/e counts as 1/e and gives −∞.
+#[inline(always)]
+pub fn lambertwm1_offset(d: f64) -> f64 {
+    let near = lower_near(DoubleDouble::from(d));
+    let z = two_sum(d, -INVERSE_E.hi);
+    let z = fast_two_sum(z.hi, z.lo - INVERSE_E.lo);
+    let w = start(z.hi);
+    let far = two_sum(1.0, w);
+    let far = far.hi + (far.lo + correction(z, w));
+    let regular = select(d < NEAR, near.round(), far);
+    let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
+    select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)
+}

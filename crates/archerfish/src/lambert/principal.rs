@@ -1,0 +1,82 @@
+//! The principal branch, W ≥ −1.
+//!
+//! Method: near the branch point its series; elsewhere w₀ = ln(1+z) R(y),
+//! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
+
+use super::branch::{INVERSE_E, NEAR, principal_near};
+use super::step::{correction, rough_ln};
+use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use crate::real::{polynomial, select, sqrt};
+
+// principal_start: 0.12 of the error that can be borne: reference/coefficients.py principal_start
+const PRINCIPAL_START_TOP: [f64; 8] = [
+    2.179084844,
+    -0.3921840365,
+    0.8637300679,
+    -0.3539071888,
+    0.3873329139,
+    -0.1087194354,
+    0.03020555461,
+    0.006716097589,
+];
+const PRINCIPAL_START_BOTTOM: [f64; 8] = [
+    1.0,
+    1.664747916,
+    0.2210173473,
+    -0.05647145672,
+    0.3006932073,
+    -0.06272012397,
+    0.0305597832,
+    0.006714002559,
+];
+/// −ln(1 − 1/e)
+const END: f64 = 0.45867514538708193;
+
+/// W₀ to few digits, for z ≥ −0.322.
+#[inline(always)]
+fn start(z: f64) -> f64 {
+    let logarithm = rough_ln(1.0 + z);
+    let y = sqrt(logarithm + END);
+    let quotient = polynomial(y, &PRINCIPAL_START_TOP) / polynomial(y, &PRINCIPAL_START_BOTTOM);
+    logarithm * quotient
+}
+
+/// Lambert W on the principal branch, W₀(z): the w ≥ −1 with `w eʷ = z`.
+///
+/// z ≥ −1/e, below it NaN; the double nearest −1/e counts as the branch point and gives −1.
+#[inline(always)]
+pub fn lambertw0(z: f64) -> f64 {
+    let offset = two_sum(z, INVERSE_E.hi);
+    let offset = fast_two_sum(offset.hi, offset.lo + INVERSE_E.lo);
+    let v = principal_near(offset);
+    let near = two_sum(-1.0, v.hi);
+    let w = start(z);
+    let far = w + correction(DoubleDouble::from(z), w);
+    let regular = select(offset.hi < NEAR, near.hi + (near.lo + v.lo), far);
+    let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
+    select(z >= -INVERSE_E.hi, regular, f64::NAN)
+}
+
+/// `1 + W₀(−1/e + d)`, exact in d: like √(2ed) for small d.
+///
+/// d ≥ 0, below it NaN.
+#[inline(always)]
+pub fn lambertw0_offset(d: f64) -> f64 {
+    let near = principal_near(DoubleDouble::from(d));
+    let z = two_sum(d, -INVERSE_E.hi);
+    let z = fast_two_sum(z.hi, z.lo - INVERSE_E.lo);
+    let w = start(z.hi);
+    let far = two_sum(1.0, w);
+    let far = far.hi + (far.lo + correction(z, w));
+    let regular = select(d < NEAR, near.round(), far);
+    let regular = select(d == f64::INFINITY, d, regular);
+    select(d >= 0.0, regular, f64::NAN)
+}
+
+/// The tree function, `T(z) = −W₀(−z)`.  [Eq. 14]
+///
+/// z ≤ 1/e, above it NaN; the double nearest 1/e counts as 1/e and gives 1.
+#[inline(always)]
+pub fn tree(z: f64) -> f64 {
+    -lambertw0(-z)
+}

@@ -1,0 +1,51 @@
+//! From a good start to the last digit in one step.
+//!
+//! Method: with `r = z e^{−w} − w`, the sought w + Δ has `(w + Δ) e^Δ = w + r`, that is
+//! `r = (1+w)Δ + (1 + w/2)Δ² + (1/2 + w/6)Δ³ + …`, whose reversion to the third order leaves an
+//! error of the fourth. r is the difference of nearly equal numbers and is formed in sums of two
+//! doubles; everything after it is small and needs few digits.
+
+use crate::real::double_double::{DoubleDouble, two_sum};
+use crate::real::{
+    Exponential, exponent_and_significand, nearest_integer, polynomial, power_of_two,
+};
+
+// rough_log: minimax on [-0.293, 0.4143], degree 7,
+// weighted error 1.71e-7: reference/coefficients.py rough_log
+const ROUGH_LOG: [f64; 8] = [
+    0.9999999176098452,
+    -0.5000034516359143,
+    0.33335615548167746,
+    -0.24971518975421436,
+    0.19883968481586123,
+    -0.172126859130448,
+    0.16340497412692495,
+    -0.10380861720687219,
+];
+
+/// Δ, so that w + Δ is Lambert W of z.
+#[inline(always)]
+pub(super) fn correction(z: DoubleDouble, w: f64) -> f64 {
+    let exponential = Exponential::of(-w);
+    // in two steps: z is as small as 2⁻¹⁰⁷⁴ where n is as great as 1075
+    let half = nearest_integer(0.5 * exponential.n);
+    let scaled = z.scale(power_of_two(half)).scale(power_of_two(exponential.n - half));
+    let product = scaled.mul(exponential.m);
+    let first = two_sum(scaled.hi, -w);
+    let second = two_sum(first.hi, product.hi);
+    let r = second.hi + (second.lo + (first.lo + product.lo + scaled.lo));
+
+    let inverse = 1.0 / (1.0 + w);
+    let t = r * inverse;
+    let a = (1.0 + 0.5 * w) * inverse;
+    let b = (0.5 + w * (1.0 / 6.0)) * inverse;
+    t - t * t * (a - t * (2.0 * a * a - b))
+}
+
+/// `ln w` of a positive normal number, to 2⁻²² of itself except near 1.
+#[inline(always)]
+pub(super) fn rough_ln(w: f64) -> f64 {
+    let (k, m) = exponent_and_significand(w);
+    let f = m - 1.0;
+    k * core::f64::consts::LN_2 + f * polynomial(f, &ROUGH_LOG)
+}
