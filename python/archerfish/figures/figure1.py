@@ -69,27 +69,35 @@ def figure1_data(
 
 
 def draw_figure1(ax: Axes, data: Figure1Data) -> None:
-    """Draw figure 1: equal axes, metres."""
+    """Draw figure 1: equal axes; metres, or the unit that suits the launcher."""
+    # Strong drag makes the locus small beside the ellipse: then the frame crops the ellipse.
+    top = 1.06 * min(data.drag_free_y.max(), 2.0 * data.locus_y.max())
+    unit, metres = style.length_unit(top)
     for index, (x, y) in enumerate(zip(data.x, data.y, strict=True)):
         label = "trajectories" if index == 0 else None
-        ax.plot(x, y, color=style.BLACK, linewidth=style.FAINT, label=label)
+        ax.plot(x / metres, y / metres, color=style.BLACK, linewidth=style.FAINT, label=label)
     ax.plot(
-        data.drag_free_x,
-        data.drag_free_y,
+        data.drag_free_x / metres,
+        data.drag_free_y / metres,
         color=style.VERMILLION,
         linestyle=(0, (5, 2)),
         label="locus without drag (ellipse)",
     )
-    ax.plot(data.locus_x, data.locus_y, color=style.BLUE, linewidth=1.8, label="locus of apexes")
-    ax.plot(data.apex_x, data.apex_y, "o", color=style.BLUE, markersize=2.6)
+    ax.plot(
+        data.locus_x / metres,
+        data.locus_y / metres,
+        color=style.BLUE,
+        linewidth=1.8,
+        label="locus of apexes",
+    )
+    ax.plot(data.apex_x / metres, data.apex_y / metres, "o", color=style.BLUE, markersize=2.6)
     ax.set_aspect("equal")
-    # Strong drag makes the locus small beside the ellipse: then the frame crops the ellipse.
-    top = 1.06 * min(data.drag_free_y.max(), 2.0 * data.locus_y.max())
-    ax.set_ylim(0.0, top)
-    ax.set_xlim(0.0, max(1.03 * data.x.max(), 1.75 * top))
-    ax.ticklabel_format(style="plain")
-    ax.set_xlabel("horizontal distance $x$ (m)")
-    ax.set_ylabel("height $y$ (m)")
+    ax.set_ylim(0.0, top / metres)
+    ax.set_xlim(0.0, max(1.03 * data.x.max(), 1.75 * top) / metres)
+    style.plain_ticks(ax.xaxis)
+    style.plain_ticks(ax.yaxis)
+    ax.set_xlabel(f"horizontal distance $x$ ({unit})")
+    ax.set_ylabel(f"height $y$ ({unit})")
     trajectory, drag_free, locus = ax.get_legend_handles_labels()[0]
     ax.legend(
         handles=[locus, drag_free, trajectory],

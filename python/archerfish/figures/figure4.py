@@ -36,7 +36,8 @@ class Figure4Data:
 def figure4_data(epsilons: Sequence[float] = EPSILONS, *, points: int = 721) -> Figure4Data:
     """Return ρK against α and against θ (paper, equation 19) and its greatest value."""
     epsilon = np.asarray(epsilons, dtype=np.float64)
-    angle = np.linspace(0.0, np.pi / 2, points)
+    # Squared spacing: the stronger the drag, the nearer to 0 the curve bends.
+    angle = np.pi / 2 * np.linspace(0.0, 1.0, points) ** 2
     column = epsilon[:, np.newaxis]
     bend = np.asarray(greatest_curvature_angle(epsilon))
     return Figure4Data(

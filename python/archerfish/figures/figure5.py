@@ -64,6 +64,11 @@ def named_angles(epsilons: Sequence[float]) -> dict[str, Array]:
 
 def figure5_data(epsilons: Sequence[float] = EPSILONS) -> Figure5Data:
     """Return the named angles for each ε > 0, and their drag-free limits."""
+    epsilons = sorted(set(epsilons))
+    if len(epsilons) < 2 or epsilons[0] <= 0.0:
+        raise ValueError(
+            f"figure 5 needs at least 2 values of epsilon, all above 0, got {list(epsilons)}"
+        )
     return Figure5Data(
         epsilon=np.asarray(epsilons, dtype=np.float64),
         angles=named_angles(epsilons),

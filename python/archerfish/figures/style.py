@@ -57,6 +57,9 @@ SERIES = (
 )
 """Strokes for a family of curves, in order."""
 
+LENGTH_UNITS = (("nm", 1e-9), ("µm", 1e-6), ("mm", 1e-3), ("m", 1.0), ("km", 1e3))
+"""Units of length and their metres, rising."""
+
 SYMBOLS = {
     "bV₀/g": r"$bV_0/g$",
     "V₀²/g": r"$V_0^2/g$",
@@ -121,7 +124,9 @@ def stroke(index: int) -> Stroke:
 
 def epsilon_label(epsilon: float) -> str:
     """Return ``ε = value`` for a legend, in matplotlib's mathematics."""
-    return rf"$\varepsilon = {epsilon:g}$"
+    mantissa, _, exponent = f"{epsilon:g}".partition("e")
+    power = rf" \times 10^{{{int(exponent)}}}" if exponent else ""
+    return rf"$\varepsilon = {mantissa}{power}$"
 
 
 def degree_axis(axis: Any, step: float, lowest: float = 0.0, highest: float = 90.0) -> None:
@@ -130,13 +135,33 @@ def degree_axis(axis: Any, step: float, lowest: float = 0.0, highest: float = 90
     axis.set_ticks([lowest + step * index for index in range(count + 1)])
 
 
-def plain_log_ticks(axis: Any, steps: tuple[float, ...] = (1.0,)) -> None:
-    """Write plain numbers at ``steps`` in every decade of a logarithmic matplotlib axis."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+def plain_ticks(axis: Any) -> None:
+    """Write short numbers at the ticks of a matplotlib axis, without a common factor beside it."""
+    from matplotlib.ticker import FuncFormatter
 
-    axis.set_major_locator(LogLocator(base=10.0, subs=steps, numticks=12))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+
+
+def plain_log_ticks(axis: Any, steps: tuple[float, ...] = (1.0,)) -> None:
+    """Write plain numbers at ``steps`` in every decade of a logarithmic matplotlib axis.
+
+    Over more than three decades: at the powers of ten only.
+    """
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(LogLocator(base=10.0, subs=steps if high < 1e3 * low else (1.0,)))
+    plain_ticks(axis)
     axis.set_minor_formatter(NullFormatter())
+
+
+def length_unit(length: float) -> tuple[str, float]:
+    """Return the unit in which a length, in metres, is from 1 to 1000, and its metres.
+
+    Metres for figure 1 of the paper; droplets and spores fly micrometres.
+    """
+    fitting = [unit for unit in LENGTH_UNITS if unit[1] <= length]
+    return fitting[-1] if fitting else LENGTH_UNITS[0]
 
 
 def panel_label(ax: Any, letter: str, what: str = "") -> None:

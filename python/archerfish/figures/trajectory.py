@@ -24,6 +24,9 @@ Array = NDArray[np.float64]
 BISECTIONS = 60
 """Halvings that bring an interval of order one down to the spacing of doubles."""
 
+LATEST = np.arctan(1e8)
+"""Greatest χ: that late, a shot is nearer to its wall than a double can tell."""
+
 
 def fall(u: ArrayLike) -> Array:
     """Return κ(u), for u ≥ 0: the drag-free 1/2 of a falling body, changed by drag.
@@ -55,7 +58,7 @@ def trajectories(
         sigma = (1.0 + np.tan(spread)) * sine
         return np.asarray(sine > sigma * fall(epsilon * sigma))
 
-    early, late = np.full_like(alpha, np.pi / 4), np.full_like(alpha, np.pi / 2)
+    early, late = np.full_like(alpha, np.pi / 4), np.full_like(alpha, LATEST)
     for _ in range(BISECTIONS):
         middle = 0.5 * (early + late)
         above = above_ground(middle)
@@ -68,6 +71,6 @@ def trajectories(
     u = epsilon * sigma
     x = sigma * cosine / (1.0 + u)
     y = sigma * (sine - sigma * fall(u)) / (1.0 + u)
-    # With strong drag the fall is so steep that no double lies between the wall and the ground.
+    # A shot that has not landed by then falls straight down its wall.
     y[:, -1] = 0.0
     return x, y

@@ -7,6 +7,7 @@ import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure as Canvas
 
+from archerfish import Launcher
 from archerfish.figures import FIGURES, style
 from archerfish.figures.save import new_axes
 
@@ -92,3 +93,37 @@ def test_every_symbol_of_the_captions_is_typeset():
     for figure in FIGURES.values():
         left = style.typeset(figure.caption(figure.data()))
         assert not set("αθερ₀√") & set(left)
+
+
+def test_small_launchers_get_small_units():
+    data = FIGURES[1].data(Launcher(0.01, epsilon=1.0))
+    ax = Canvas().subplots()
+    FIGURES[1].draw(ax, data)
+    assert ax.get_xlabel() == "horizontal distance $x$ (µm)"
+    lines = {line.get_label(): line for line in ax.get_lines()}
+    np.testing.assert_allclose(lines["locus of apexes"].get_ydata(), 1e6 * data.locus_y)
+
+
+@pytest.mark.parametrize(
+    ("metres", "unit"),
+    [(5.1, "m"), (1.0, "m"), (0.999, "mm"), (1e-9, "nm"), (1e-30, "nm"), (1e9, "km")],
+)
+def test_length_unit(metres, unit):
+    assert style.length_unit(metres)[0] == unit
+
+
+@pytest.mark.parametrize(
+    ("epsilon", "text"),
+    [(0.1, "0.1"), (1e8, r"1 \times 10^{8}"), (2.5e-7, r"2.5 \times 10^{-7}")],
+)
+def test_epsilon_label(epsilon, text):
+    assert style.epsilon_label(epsilon) == rf"$\varepsilon = {text}$"
+
+
+def test_wide_log_axes_keep_ticks():
+    data = FIGURES[4].data([0.0, 1e8])
+    axes = list(Canvas().subplots(1, 2))
+    FIGURES[4].draw(axes, data)
+    low, high = axes[0].get_ylim()
+    ticks = axes[0].get_yticks()
+    assert 3 <= np.count_nonzero((ticks >= low) & (ticks <= high)) <= 12

@@ -18,7 +18,7 @@ TYPED_DIGITS = {"rightmost apex": 3e-9}
 
 
 def test_every_named_angle_is_drawn():
-    assert set(figure5_data([1.0]).angles) == set(TABLE)
+    assert set(figure5_data([1.0, 2.0]).angles) == set(TABLE)
 
 
 @pytest.mark.parametrize("name", TABLE)
@@ -27,6 +27,16 @@ def test_named_angles(name):
     data = figure5_data(EPSILONS[1:])
     np.testing.assert_allclose(np.degrees(data.angles[name]), TABLE[name][1:], rtol=tolerance)
     assert np.degrees(data.drag_free[name]) == pytest.approx(TABLE[name][0], rel=tolerance)
+
+
+@pytest.mark.parametrize("epsilons", [[], [1.0], [1.0, 1.0], [0.0, 1.0]])
+def test_refuses_what_no_axis_can_show(epsilons):
+    with pytest.raises(ValueError, match="figure 5 needs at least 2 values of epsilon, all above"):
+        figure5_data(epsilons)
+
+
+def test_epsilons_may_come_in_any_order():
+    np.testing.assert_array_equal(figure5_data([3.0, 1.0, 3.0]).epsilon, [1.0, 3.0])
 
 
 def test_angles_fall_with_drag_from_their_limits():
@@ -40,7 +50,7 @@ def test_angles_fall_with_drag_from_their_limits():
 @pytest.mark.parametrize("epsilon", [0.1, 1.0, 10.0, 1000.0])
 def test_distance_stops_growing_there(epsilon):
     """r·ṙ stays positive just below the angle and turns negative just above it."""
-    critical = figure5_data([epsilon]).angles["distance stops growing"][0]
+    critical = figure5_data([epsilon, 2.0 * epsilon]).angles["distance stops growing"][0]
     sigma = np.geomspace(0.3, 10.0 + 10.0 * epsilon, 400_001)
 
     def least(alpha):
