@@ -48,7 +48,7 @@ docs: .venv/test .venv/package ## Build the Rust pages without a warning; run ev
 	$(bin)/python -m pytest --quiet --doctest-glob='*.md' README.md docs
 
 bench: .venv/test .venv/package ## Time and compare with the textbook forms and other libraries
-	$(bin)/python bench/compare.py
+	$(bin)/python -m bench.compare
 
 figures: .venv/package ## Draw every figure into out/figures
 	$(bin)/python -m archerfish.figures out/figures

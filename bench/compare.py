@@ -1,0 +1,185 @@
+"""The honest comparison: ``python -m bench.compare``.
+
+Prints the tables of COMPARE.md as measured here and now. With ``--record`` it also writes them,
+with the date and the machine, to ``bench/record/`` and puts them into COMPARE.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import platform
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy
+
+import archerfish
+from archerfish.files import write_whole
+from bench import accuracy, speed
+from bench.accuracy import Table
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORDS = ROOT / "bench" / "record"
+DOCUMENT = ROOT / "COMPARE.md"
+
+
+def measured(count: int, elements: int, rounds: int) -> dict[str, Any]:
+    """Return everything the tables show, and where and when it was measured."""
+    return {
+        "about": {
+            "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
+            "processor": processor(),
+            "instruction_set": archerfish.isa(),
+            "python": platform.python_version(),
+            **{module.__name__: module.__version__ for module in (archerfish, np, scipy)},
+            "inputs": count,
+            "elements": elements,
+            "rounds": rounds,
+        },
+        # The inputs are chosen to overflow and to leave what their formulas can do.
+        "formulas": quiet(accuracy.formulas, count),
+        "lambert": quiet(accuracy.lambert, count),
+        "nanoseconds": quiet(speed.nanoseconds, elements, rounds),
+    }
+
+
+def quiet(function: Any, *arguments: int) -> Any:
+    """Call without NumPy's warnings: the tables say what they would."""
+    with np.errstate(all="ignore"):
+        return function(*arguments)
+
+
+def processor() -> str:
+    """Return the processor's own name for itself, as far as the system tells it."""
+    try:
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        return platform.processor() or platform.machine()
+    found = re.search(r"^model name\s*: (.+)$", text, re.MULTILINE)
+    return found[1].strip() if found else platform.machine()
+
+
+def tables(record: dict[str, Any]) -> dict[str, str]:
+    """Return the Markdown of each table of COMPARE.md, by its marker."""
+    about = record["about"]
+    return {
+        "formulas": markdown(record["formulas"], "{:.0e}", "ε ="),
+        "lambert": markdown(transposed(record["lambert"]), "{:.3g}", "argument"),
+        "speed": speed_table(record["nanoseconds"]),
+        "about": (
+            f"Measured on {about['date']} on {about['processor']} ({about['instruction_set']} "
+            f"kernels, one thread): archerfish {about['archerfish']}, Python {about['python']}, "
+            f"NumPy {about['numpy']}, SciPy {about['scipy']}; errors over {about['inputs']} inputs "
+            f"a cell, times the median of {about['rounds']} rounds over {about['elements']} "
+            f"elements. Absolute times vary from run to run: compare within a table."
+        ),
+    }
+
+
+def transposed(table: Table) -> Table:
+    """Return the table with rows and columns exchanged."""
+    columns = next(iter(table.values()))
+    return {column: {row: table[row][column] for row in table} for column in columns}
+
+
+def markdown(table: Table, number: str, corner: str) -> str:
+    """Return a Markdown table of errors."""
+    columns = list(next(iter(table.values())))
+    lines = [f"| {corner} | {' | '.join(columns)} |", f"|---|{'---|' * len(columns)}"]
+    for row, cells in table.items():
+        name = f"**{row}**" if hasattr(archerfish, row) or "offset" in row else row
+        texts = (shown(cells[column], number) for column in columns)
+        lines.append(f"| {name} | {' | '.join(texts)} |")
+    return "\n".join(lines)
+
+
+def shown(value: float, number: str) -> str:
+    """Return an error as text: ``2e-8``, not ``2e-08``."""
+    if np.isnan(value):
+        return "NaN"
+    return re.sub(r"e([+-])0+(?=\d)", r"e\1", number.format(value)).replace("e+", "e")
+
+
+def speed_table(nanoseconds: dict[str, float]) -> str:
+    """Return a Markdown table of times, beside that of one logarithm."""
+    unit = nanoseconds["np.log"]
+    lines = ["| function | ns an element | in logarithms |", "|---|---|---|"]
+    for name, time in nanoseconds.items():
+        ours = hasattr(archerfish, name.split("(", 1)[0])
+        text = f"**{name}**" if ours else name
+        lines.append(f"| {text} | {time:.3g} | {time / unit:.3g} |")
+    return "\n".join(lines)
+
+
+def updated(document: str, record: dict[str, Any]) -> str:
+    """Return the document with every table between its markers replaced."""
+    for name, text in tables(record).items():
+        begin, end = f"<!-- {name}: made by make bench -->", f"<!-- end of {name} -->"
+        pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
+        if len(pattern.findall(document)) != 1:
+            raise ValueError(f"COMPARE.md must have one pair of markers for {name}")
+        document = pattern.sub(lambda _, new=f"{begin}\n{text}\n{end}": new, document)
+    return document
+
+
+def toml(record: dict[str, Any]) -> str:
+    """Return the record as TOML."""
+    lines: list[str] = []
+    for name, table in record.items():
+        for inner, cells in subtables(name, table):
+            lines += [
+                f"[{inner}]",
+                *(f'"{key}" = {literal(cell)}' for key, cell in cells.items()),
+                "",
+            ]
+    return "\n".join(lines)
+
+
+def subtables(name: str, table: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    """Return the table, or its rows where it has rows, under their TOML names."""
+    if all(isinstance(cells, dict) for cells in table.values()):
+        return [(f'{name}."{row}"', cells) for row, cells in table.items()]
+    return [(name, table)]
+
+
+def literal(value: str | float) -> str:
+    """Return a TOML literal; four digits are more than a measurement has."""
+    if isinstance(value, str):
+        return f'"{value}"'
+    return str(value) if isinstance(value, int) else f"{value:.4g}"
+
+
+def latest() -> dict[str, Any]:
+    """Return the newest record."""
+    path = max(RECORDS.glob("*.toml"))
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+def main() -> None:
+    """Measure, print, and on request record."""
+    parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
+    parser.add_argument("--inputs", type=int, default=1000, help="inputs for each error")
+    parser.add_argument("--elements", type=int, default=1_000_000, help="array length for times")
+    parser.add_argument("--rounds", type=int, default=7, help="rounds for times")
+    parser.add_argument("--record", action="store_true", help="write bench/record and COMPARE.md")
+    chosen = parser.parse_args()
+    record = measured(chosen.inputs, chosen.elements, chosen.rounds)
+    for text in tables(record).values():
+        print(text, end="\n\n")
+    if chosen.record:
+        # What stands in COMPARE.md is what stands in the record, rounding included.
+        text = toml(record)
+        path = RECORDS / f"{record['about']['date']}.toml"
+        RECORDS.mkdir(exist_ok=True)
+        write_whole(path, text.encode())
+        document = updated(DOCUMENT.read_text(encoding="utf-8"), tomllib.loads(text))
+        write_whole(DOCUMENT, document.encode())
+        print(f"wrote {path.relative_to(ROOT)} and COMPARE.md")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,92 @@
+"""COMPARE.md quotes what the command measured, and the command compares like with like."""
+
+import tomllib
+
+import numpy as np
+import pytest
+
+import archerfish
+from bench import accuracy, compare, speed, textbook
+
+OURS = ("apex_y", "locus_radius", "locus_launch_angle", "apex_curvature")
+
+
+@pytest.fixture(scope="module")
+def formulas():
+    with np.errstate(all="ignore"):
+        return accuracy.formulas(12)
+
+
+def test_the_document_holds_the_newest_record_and_nothing_else():
+    document = compare.DOCUMENT.read_text(encoding="utf-8")
+    assert compare.updated(document, compare.latest()) == document
+
+
+def test_a_document_without_markers_is_refused():
+    with pytest.raises(ValueError, match="one pair of markers for formulas"):
+        compare.updated("", compare.latest())
+
+
+def test_a_record_survives_the_file():
+    record = compare.latest()
+    assert repr(tomllib.loads(compare.toml(record))) == repr(record)
+
+
+@pytest.mark.parametrize("row", OURS)
+def test_ours_keep_every_digit_at_every_drag(formulas, row):
+    assert set(formulas[row]) == {f"{eps:g}" for eps in accuracy.EPSILONS}
+    assert max(formulas[row].values()) < 5e-16
+
+
+def test_range_by_the_offset_keeps_its_digits(formulas):
+    assert max(formulas["range, lambertw0_offset"].values()) < 3e-15
+
+
+@pytest.mark.parametrize(
+    ("row", "eps", "loss"),
+    [
+        ("y = (u − log1p(u))/ε²", "1e-12", 1e-5),
+        ("r by (13), principal W", "3", 0.1),
+        ("r by (13), principal W", "10", 0.5),
+        ("α(θ), np.interp on 10⁴", "1", 1e-9),
+        ("ρK, differences on 10⁴", "1", 1e-9),
+    ],
+)
+def test_what_theirs_lose(formulas, row, eps, loss):
+    assert formulas[row][eps] > loss
+
+
+def test_textbook_range_has_no_digits_at_weak_drag(formulas):
+    assert not formulas["range, textbook W₀"]["1e-08"] < 0.1
+
+
+@pytest.mark.parametrize("row", ["y = (u − log1p(u))/ε²", "range, textbook W₀"])
+def test_what_theirs_do_not_lose(formulas, row):
+    assert formulas[row]["10000"] < 1e-14
+
+
+def test_lambert_next_to_the_branch_point():
+    with np.errstate(all="ignore"):
+        table = accuracy.lambert(25)
+    assert max(table["archerfish"].values()) <= 1.0
+    assert table["SciPy"]["W₀, next to −1/e"] > 1e3
+    assert table["SciPy"]["W₀, 10^[−8, 300]"] < 3.0
+
+
+def test_timed_contenders_compute_the_same():
+    eps = 0.1
+    alpha = np.linspace(0.05, 1.5, 50)
+    theta = archerfish.apex_elevation(alpha, eps)
+    near = {"rtol": 1e-6}
+    np.testing.assert_allclose(textbook.height(alpha, eps), archerfish.apex_y(alpha, eps), **near)
+    np.testing.assert_allclose(textbook.elevation(alpha, eps), theta, **near)
+    np.testing.assert_allclose(textbook.launch_angle(theta, eps), alpha, **near)
+    np.testing.assert_allclose(textbook.launch_angle_by_root(theta, eps), alpha, **near)
+    radius = archerfish.locus_radius(theta, eps)
+    np.testing.assert_allclose(textbook.radius(theta, alpha, eps), radius, **near)
+
+
+def test_every_contender_is_timed():
+    times = speed.nanoseconds(3200, 1)
+    assert all(time > 0.0 for time in times.values())
+    assert {name.split("(", 1)[0] for name in times} >= {*OURS, "lambertw0", "lambertwm1"}
