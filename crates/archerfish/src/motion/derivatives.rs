@@ -1,18 +1,19 @@
 //! Derivatives of the launch angle by the elevation: equation (18) and the one after.
 //!
 //! Method: `θ′ = P/Q` with `P = G + cos²α a` and `Q = cos²α + G² sin²α`, both positive sums;
-//! `P′ = cos α p` and `Q′ = cos α w` with, for b = ε(1 − σ)²/2 (so that dG/dα = cos α b ρ),
+//! `P′ = cos α p` and `Q′ = cos α w`. For b = ε(1 − σ)²/2, dG/dα is cos α b ρ, and a is
+//! sin α b ρ; so most terms unite, and no difference of large ones is left:
 //!
-//! - `p = b [ρ + cos²α (1/(1 + σ) − (2 − σ) ρ)] − 2 sin α a`,
-//! - `w = 2 sin α [sin α G b ρ − (1 − G²)]`,
+//! - `p = b [cos²α/(1 + σ) − ρ (sin²α + (1 − σ) cos²α)]`,
+//! - `w = −sin α [a (1 + σ − (1 − σ) G) + (1 − σ)(1 + G)]`,
 //!
 //! and `d²α/dθ² = −θ″/θ′³ = cos α (w P − p Q) Q / P³`.
 
-use super::launch::{Launch, within_domain};
+use super::drag::Drag;
+use super::launch::{LARGE, Launch, SMALL, TINY, within_domain};
 use super::locus::launch_at_elevation;
 use crate::real::double_double::DoubleDouble;
-
-const ONE: DoubleDouble = DoubleDouble { hi: 1.0, lo: 0.0 };
+use crate::real::select;
 
 impl Launch {
     /// `P`, positive; dθ/dα is P/Q
@@ -30,13 +31,15 @@ impl Launch {
     /// `d²α/dθ²`
     #[inline(always)]
     pub fn launch_angle_d2(&self) -> DoubleDouble {
-        let drag = &self.drag;
-        let (gain, rho) = (drag.gain(), drag.rho);
-        let b = drag.sigma_rest.square().scale(0.5).mul_double(self.epsilon);
-        let bend = ONE.div(drag.sigma_plus_one()).sub(drag.sigma_rest.add_double(1.0).mul(rho));
-        let p = b.mul(rho.add(self.cos.square().mul(bend))).sub(self.sin.mul(drag.a).scale(2.0));
-        let one_less_gain = ONE.sub(gain).mul(gain.add_double(1.0));
-        let w = self.sin.scale(2.0).mul(self.sin.mul(gain).mul(b).mul(rho).sub(one_less_gain));
+        let Drag { sigma_rest, rho, a, .. } = self.drag;
+        let (gain, sigma_plus_one) = (self.drag.gain(), self.drag.sigma_plus_one());
+        let (sin2, cos2) = (self.sin.square(), self.cos.square());
+        let b = sigma_rest.mul_double(self.epsilon).mul(sigma_rest).scale(0.5);
+        let p = b.mul(cos2.div(sigma_plus_one).sub(rho.mul(sin2.add(cos2.mul(sigma_rest)))));
+        let bracket = a
+            .mul(sigma_plus_one.sub(sigma_rest.mul(gain)))
+            .add(sigma_rest.mul(gain.add_double(1.0)));
+        let w = self.sin.mul(bracket).neg();
         let (slope, stretch) = (self.slope(), self.stretch());
         let difference = w.mul(slope).sub(p.mul(stretch));
         self.cos.mul(difference).mul(stretch).div(slope.square().mul(slope))
@@ -56,5 +59,9 @@ pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
 /// −8ε/3 at θ = 0, 0 at θ = π/2.
 #[inline(always)]
 pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
-    within_domain(theta, eps, launch_at_elevation(theta, eps).launch.launch_angle_d2().round())
+    // −12θ − 8ε/3 where both are tiny: proportional to both, which a subnormal would spoil
+    let tiny = (theta < TINY) & (eps < TINY);
+    let (factor, back) = (select(tiny, LARGE, 1.0), select(tiny, SMALL, 1.0));
+    let launch = launch_at_elevation(theta * factor, eps * factor).launch;
+    within_domain(theta, eps, launch.launch_angle_d2().round() * back)
 }

@@ -62,6 +62,12 @@ impl Drag {
         self.sigma_plus_one().mul(ONE.sub(self.a)).scale(0.5)
     }
 
+    /// `1 − G(u) = ((1 − σ) + (1 + σ) a)/2`, from 1/2 to 0
+    #[inline(always)]
+    pub fn gain_rest(&self) -> DoubleDouble {
+        self.sigma_rest.add(self.sigma_plus_one().mul(self.a)).scale(0.5)
+    }
+
     /// `ln(1 + u)/u = (1 − σ)(1 + σ² ρ)`
     #[inline(always)]
     pub fn mean_slowness(&self) -> DoubleDouble {

@@ -48,6 +48,12 @@ pub(crate) fn within_domain(angle: f64, epsilon: f64, value: f64) -> f64 {
     select(in_domain(angle, epsilon), value, f64::NAN)
 }
 
+/// Below this, 2⁻⁵⁰⁰, a square is subnormal; times `LARGE`, 2⁴⁰⁰, it is not, and still tiny.
+pub(crate) const TINY: f64 = f64::from_bits((1023 - 500) << 52);
+pub(crate) const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
+/// 1/LARGE
+pub(crate) const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+
 /// An angle so small that lengths, being proportional to it or to its square, would be subnormal
 /// on the way; a problem alike to it, `factor` times as large, has none of that.
 pub(crate) struct Scaled {
@@ -61,12 +67,9 @@ impl Scaled {
     /// With all angles below 2⁻⁵⁰⁰ multiplied by 2⁴⁰⁰, and ε sin α kept.
     #[inline(always)]
     pub fn new(angle: f64, epsilon: f64) -> Self {
-        const FACTOR: f64 = f64::from_bits((1023 + 400) << 52);
-        const INVERSE: f64 = f64::from_bits((1023 - 400) << 52);
-        const TINY: f64 = f64::from_bits((1023 - 500) << 52);
         let tiny = angle < TINY;
-        let back = select(tiny, INVERSE, 1.0);
-        Scaled { angle: angle * select(tiny, FACTOR, 1.0), epsilon: epsilon * back, back }
+        let back = select(tiny, SMALL, 1.0);
+        Scaled { angle: angle * select(tiny, LARGE, 1.0), epsilon: epsilon * back, back }
     }
 
     /// The launch at the scaled angle.

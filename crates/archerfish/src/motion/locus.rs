@@ -35,8 +35,7 @@ pub(crate) fn launch_at_elevation(theta: f64, epsilon: f64) -> Solution {
     let drag = Drag::at(sin.mul_double(epsilon));
 
     // residual F of sin β = (1 − G) cos θ sin α and its derivatives by β
-    let gain = drag.gain();
-    let rest = DoubleDouble::from(1.0).sub(gain);
+    let rest = drag.gain_rest();
     let residual = rest.mul(cos_theta).mul(sin).sub(sin_beta);
     let (s, c, a) = (sin.hi, cos.hi, drag.a.hi);
     let first = cos_theta.hi * c * (rest.hi - a) - cos_beta.hi;
