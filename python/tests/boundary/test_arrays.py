@@ -147,6 +147,8 @@ def test_accumulate_and_reduce_go_element_by_element(ufunc):
             expected.append(ufunc(expected[-1], value))
         assert_array_equal(ufunc.accumulate(values), expected)
         assert_array_equal(ufunc.reduce(values), expected[-1])
+        backwards = np.empty(700)[::-1]
+        assert_array_equal(ufunc.accumulate(values, out=backwards), expected)
 
 
 def test_outer_and_at(ufunc, draw, elementwise):
