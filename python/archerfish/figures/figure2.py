@@ -30,7 +30,11 @@ class Figure2Data:
 
 
 def figure2_data(epsilons: Sequence[float] = EPSILONS, *, points: int = 361) -> Figure2Data:
-    """Return θ(α) (paper, equation 10) and its inverse α(θ), from 0 to π/2."""
+    """Return θ(α) (paper, equation 10) and its inverse α(θ), from 0 to π/2, for each ε ≥ 0.
+
+    >>> figure2_data([0.0], points=5).launch_angle.shape
+    (1, 5)
+    """
     epsilon = np.asarray(epsilons, dtype=np.float64)
     angle = np.linspace(0.0, np.pi / 2, points)
     column = epsilon[:, np.newaxis]

@@ -33,7 +33,11 @@ class Figure3Data:
 
 
 def figure3_data(epsilons: Sequence[float] = EPSILONS, *, points: int = 721) -> Figure3Data:
-    """Return dα/dθ (paper, equation 18) and d²α/dθ², θ from 0 to π/2."""
+    """Return dα/dθ (paper, equation 18) and d²α/dθ², θ from 0 to π/2, for each ε ≥ 0.
+
+    >>> figure3_data([0.0, 1.0]).first[:, 0].tolist()
+    [2.0, 2.0]
+    """
     epsilon = np.asarray(epsilons, dtype=np.float64)
     # Squared spacing: with strong drag all that happens, happens near θ = 0.
     elevation = np.pi / 2 * np.linspace(0.0, 1.0, points) ** 2

@@ -34,7 +34,11 @@ class Figure4Data:
 
 
 def figure4_data(epsilons: Sequence[float] = EPSILONS, *, points: int = 721) -> Figure4Data:
-    """Return ρK against α and against θ (paper, equation 19) and its greatest value."""
+    """Return ρK against α and against θ (paper, equation 19) and its greatest, for each ε ≥ 0.
+
+    >>> round(float(figure4_data([1.0]).greatest[0]), 9)
+    12.298109766
+    """
     epsilon = np.asarray(epsilons, dtype=np.float64)
     # Squared spacing: the stronger the drag, the nearer to 0 the curve bends.
     angle = np.pi / 2 * np.linspace(0.0, 1.0, points) ** 2

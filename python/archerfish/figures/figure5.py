@@ -63,7 +63,14 @@ def named_angles(epsilons: Sequence[float]) -> dict[str, Array]:
 
 
 def figure5_data(epsilons: Sequence[float] = EPSILONS) -> Figure5Data:
-    """Return the named angles for each ε > 0, and their drag-free limits."""
+    """Return the named angles for each ε > 0, and their drag-free limits.
+
+    ``epsilons`` come in any order, at least two of them; ValueError otherwise.
+
+    >>> data = figure5_data([1.0, 10.0])
+    >>> np.degrees(data.angles["greatest range"]).round(6).tolist()
+    [35.589694, 15.828721]
+    """
     epsilons = sorted(set(epsilons))
     if len(epsilons) < 2 or epsilons[0] <= 0.0:
         raise ValueError(

@@ -27,7 +27,11 @@ CAPTION_MARGIN = 0.08
 
 
 def caption(number: int, **options: Any) -> str:
-    """Return the caption of a figure; ``options`` go to its data function."""
+    """Return the caption of a figure; ``options`` go to its data function.
+
+    >>> caption(2, epsilons=[0.5]).startswith("Figure 2. Elevation θ of the apex against")
+    True
+    """
     chosen = figure(number)
     return chosen.caption(chosen.data(**options))
 

@@ -49,7 +49,11 @@ def trajectories(
 
     ``launch_angle`` has shape (n,), in radians from 0 to π; x and y have shape (n, samples). The
     point halfway is not the apex: points are spread evenly in the angle χ of σ = (1 + tan χ) sin α.
-    Solutions of the equation of motion (paper, equations 1 to 6) in the form of this module.
+    They solve the equation of motion that the paper starts from, in the form of this module's head.
+
+    >>> x, y = trajectories([np.pi / 4], 0.0)
+    >>> round(float(x[0, -1]), 12), round(float(y.max()), 4)
+    (1.0, 0.25)
     """
     alpha = np.asarray(launch_angle, dtype=np.float64)[:, np.newaxis]
     sine, cosine = np.sin(alpha), np.cos(alpha)

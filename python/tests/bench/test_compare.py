@@ -71,6 +71,7 @@ def test_lambert_next_to_the_branch_point():
     assert max(table["archerfish"].values()) <= 1.0
     assert table["SciPy"]["W₀, next to −1/e"] > 1e3
     assert table["SciPy"]["W₀, 10^[−8, 300]"] < 3.0
+    assert table["SciPy"]["W₋₁, −10^[−300, −1]"] < 3.0
 
 
 def test_timed_contenders_compute_the_same():
