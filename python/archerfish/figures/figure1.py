@@ -49,7 +49,7 @@ def figure1_data(
     gravity, as in the paper. ``launch_angles_deg``, from 0 to 180, are those of the trajectories.
 
     >>> round(float(figure1_data().apex_y.max()), 6)  # metres
-    4.782838
+    4.782286
     """
     if launcher is None:
         launcher = Launcher(10.0, epsilon=0.1)
