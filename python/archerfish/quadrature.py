@@ -15,7 +15,7 @@ _NODES = 16
 #: Panels at ε = 0: there the nearest singularity of the arc length lies 0.27 beside 45 degrees.
 _LEAST_PANELS = 4
 #: Panels for every factor e in 1 + ε.
-_PANELS_PER_E_FOLD = 2
+_PANELS_PER_E_FOLD = 1
 
 
 def integral(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import io
-import os
 import signal
 import sys
 
@@ -89,11 +88,8 @@ def _command(error: click.UsageError) -> str:
 
 
 def _failed_write(error: OSError) -> int:
-    if error.filename is None:
-        # Standard output is lost; Python would try once more, and complain, on its way out.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-        if error.errno == errno.EPIPE:
-            return FAILURE
+    if error.errno == errno.EPIPE:  # Where there is no SIGPIPE.
+        return FAILURE
     name = error.filename or "standard output"
     return _complain("archerfish", f"cannot write {name}: {error.strerror or error}", FAILURE)
 

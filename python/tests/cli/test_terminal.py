@@ -19,8 +19,9 @@ def shown(*arguments, columns=100, **environment):
     """All that a terminal of that width receives from the command."""
     child, terminal = pty.fork()
     if child == 0:
-        os.environ.update({"TERM": "xterm-256color", **environment})
-        os.execv(sys.executable, [sys.executable, "-m", "archerfish", *arguments])
+        # Not what the process has inherited: readline adds COLUMNS to it, behind Python's back.
+        known = {**os.environ, "TERM": "xterm-256color", **environment}
+        os.execve(sys.executable, [sys.executable, "-m", "archerfish", *arguments], known)
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 50, columns, 0, 0))
     received = b""
     while select.select([terminal], [], [], 60)[0]:
