@@ -69,10 +69,13 @@ clean: ## Remove what these tasks made
 	@touch $@
 
 .venv/demo .venv/test .venv/dev: .venv/%: requirements/%.lock requirements/build.lock | .venv/made
-	$(pip_install) -r requirements/build.lock -r $<
+	@echo "Installing the packages of $< into .venv"
+	@$(pip_install) -r requirements/build.lock -r $<
 	@touch $@
 
 .venv/package: $(sources) | .venv/demo
 	@tools/need > /dev/null
-	$(bin)/maturin develop --release --locked --quiet
+	@echo "Compiling the kernels (about a minute the first time)"
+	@PATH="$(CURDIR)/$(bin):$$PATH" $(bin)/python -m pip install --quiet --no-input \
+		--no-index --no-deps --no-build-isolation --editable .
 	@touch $@
