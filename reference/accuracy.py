@@ -1,10 +1,9 @@
 """The worst error of every public function, in ulp, and the record of it that only tightens.
 
-    python -m reference.accuracy                    the recorded run: the same inputs every time,
-    checked against the record python -m reference.accuracy --record           the same, and write
-    the record python -m reference.accuracy --fresh            other inputs: only what is demanded
-    is checked; what is worse is shown python -m reference.accuracy --fresh --record   the same, and
-    keep the worse inputs in the record
+    python -m reference.accuracy                    the recorded inputs, against the record
+    python -m reference.accuracy --record           the same, and write the record
+    python -m reference.accuracy --fresh            new inputs, against what is demanded
+    python -m reference.accuracy --fresh --record   the same, and keep the worse ones
 
 Against the record a function fails when it is worse, and also when it is clearly better, until the
 record is tightened. Every run evaluates the adversarial corners and the recorded worst inputs
@@ -18,6 +17,7 @@ import secrets
 import sys
 import time
 import tomllib
+import zlib
 from collections.abc import Iterable
 from multiprocessing import Pool
 from pathlib import Path
@@ -25,13 +25,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from reference import kernels, oracle
-from reference.ball import ulp_errors
+from reference import inputs, kernels, oracle
+from reference.ball import Rounded, ulp_errors
 
 RECORD = Path(__file__).with_name("accuracy.toml")
 SEED = 2010
 INPUTS = 100_000
 CHUNK = 2_000
+#: In each chunk, so many of the worst inputs are followed to so many neighbours.
+WORST_FOLLOWED, NEIGHBOURS = 8, 16
 #: Recorded errors are rounded to 1e-4 ulp; anything beyond that is a change.
 WORSE = 2e-4
 #: An improvement by more than this must be recorded.
@@ -39,12 +41,13 @@ BETTER = 0.02
 
 HEADER = """\
 # The worst error of every public function, in ulp of the exact value, over at least {inputs} inputs
-# each: random and adversarial (reference/inputs.py), exact values from reference/oracle.py, kernels
-# as built by cargo in release mode. locus_launch_angle_d2 crosses zero: its ulp is that of the
-# larger of the value and its greatest term (reference/geometry.py). Written by `python -m
-# reference.accuracy --record`; a run without --record fails if a function is worse or clearly
-# better. `at` is where the worst error happens. Where `demanded_ulp` is not reached, `allowed_ulp`
-# and `why`, put here by hand, say so.
+# each, random and adversarial (reference/inputs.py); exact values from reference/oracle.py.
+# locus_launch_angle_d2 crosses zero: its ulp is that of the larger of the value and its greatest
+# term (reference/geometry.py).
+#
+# Written by `python -m reference.accuracy --record`; a run without --record fails if a function is
+# worse or clearly better. `at` is where the worst error happens. Where `demanded_ulp` is not
+# reached, `allowed_ulp` and `why`, put here by hand, say what is and why.
 """
 
 
@@ -62,34 +65,61 @@ def recorded_inputs(record: dict[str, dict], names: Iterable[str]) -> list[tuple
     return [tuple(float.fromhex(v) for v in record[name]["at"]) for name in names if name in record]
 
 
-def chunk_inputs(
-    names: list[str], chunk: int, count: int, seed: int, record: dict[str, dict]
-) -> tuple[np.ndarray, ...]:
-    """The first chunk brings the corners and the recorded worst inputs along."""
-    arguments = oracle.FUNCTIONS[names[0]].arguments
-    # The stream depends on the name, not on which other functions are measured in the same run.
-    stream = np.random.default_rng([seed, chunk, oracle.stream(arguments)])
-    drawn = arguments.draw(stream, count)
-    if chunk > 0:
-        return drawn
-    extra = zip(*arguments.corners, *recorded_inputs(record, names), strict=True)
-    return tuple(np.concatenate([np.array(e, float), d]) for e, d in zip(extra, drawn, strict=True))
+class Task(NamedTuple):
+    names: list[str]
+    chunk: int
+    count: int
+    seed: int
+    record: dict[str, dict]
+
+    def random(self, name: str) -> np.random.Generator:
+        """A stream that depends on the name, not on what else is measured in the same run."""
+        return np.random.default_rng([self.seed, self.chunk, zlib.crc32(name.encode())])
 
 
-def measure_chunk(task: tuple[list[str], int, int, int, dict[str, dict]]) -> dict[str, Worst]:
-    names = task[0]
-    inputs = chunk_inputs(*task)
-    rows = list(zip(*(column.tolist() for column in inputs), strict=True))
-    exact = {name: [] for name in names}
+def errors_at(name: str, rows: list[tuple[float, ...]], exact: list[Rounded]) -> np.ndarray:
+    arguments = [np.array(column) for column in zip(*rows, strict=True)]
+    hi, rest, ulp = (np.array(column) for column in zip(*exact, strict=True))
+    return ulp_errors(kernels.evaluate(name, *arguments), hi, rest, ulp)
+
+
+def nearby(
+    rows: list[tuple[float, ...]], errors: np.ndarray, random: np.random.Generator
+) -> list[tuple[float, ...]]:
+    """Inputs around the worst ones, at distances from a few ulp to a few percent: where the terms
+    of a formula conspire, the roundings of a neighbour may conspire more.
+    """
+    worst = [rows[i] for i in np.argsort(-errors, kind="stable")[:WORST_FOLLOWED]]
+    return [
+        tuple(float(v * (1 + random.choice([-1, 1]) * 2.0 ** random.uniform(-51, -4))) for v in row)
+        for row in worst
+        for _ in range(NEIGHBOURS)
+    ]
+
+
+def measure_chunk(task: Task) -> dict[str, Worst]:
+    """Random inputs, then neighbours of the worst of them; the first chunk brings the corners, the
+    hard cases and the recorded worst input along.
+    """
+    arguments = oracle.FUNCTIONS[task.names[0]].arguments
+    drawn = arguments.draw(task.random(oracle.stream(arguments)), task.count)
+    rows = list(zip(*(column.tolist() for column in drawn), strict=True))
+    if task.chunk == 0:
+        rows = [tuple(map(float, row)) for row in arguments.corners] + rows
+    exact = {name: [] for name in task.names}
     for row in rows:  # all functions of one input together: they share its launch angle
-        for name in names:
+        for name in task.names:
             exact[name].append(oracle.FUNCTIONS[name].exact(*row))
     answer = {}
-    for name in names:
-        hi, rest, ulp = (np.array(column) for column in zip(*exact[name], strict=True))
-        errors = ulp_errors(kernels.evaluate(name, *inputs), hi, rest, ulp)
+    for name in task.names:
+        errors = errors_at(name, rows, exact[name])
+        more = nearby(rows, errors, task.random(name + " nearby"))
+        if task.chunk == 0:
+            more += recorded_inputs(task.record, [name]) + inputs.HARD.get(name, [])
+        errors_nearby = errors_at(name, more, [oracle.FUNCTIONS[name].exact(*row) for row in more])
+        everywhere, errors = rows + more, np.concatenate([errors, errors_nearby])
         i = int(np.argmax(errors))
-        answer[name] = Worst(float(errors[i]), rows[i], len(rows))
+        answer[name] = Worst(float(errors[i]), everywhere[i], len(everywhere))
     return answer
 
 
@@ -100,7 +130,7 @@ def measure(
     tasks = []
     for group in oracle.groups(names):
         for chunk, start in enumerate(range(0, inputs, CHUNK)):
-            tasks.append((group, chunk, min(CHUNK, inputs - start), seed, record))
+            tasks.append(Task(group, chunk, min(CHUNK, inputs - start), seed, record))
     worst: dict[str, Worst] = {}
     with Pool(os.cpu_count()) as pool:
         for done, part in enumerate(pool.imap_unordered(measure_chunk, tasks), 1):

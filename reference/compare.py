@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from reference import oracle, tables
+from reference import inputs, oracle, tables
 from reference.ball import ulp_errors
 
 Implementation = Callable[..., np.ndarray]
@@ -37,8 +37,11 @@ def with_table(name: str, function: Implementation) -> Comparison:
 
 
 def with_oracle(name: str, function: Implementation, count: int, seed: int) -> Comparison:
-    """The adversarial corners and `count` random inputs."""
+    """The adversarial corners, the hard cases and `count` random inputs."""
     arguments = oracle.sample(name, count, seed)
+    if name in inputs.HARD:
+        hard = (np.array(column) for column in zip(*inputs.HARD[name], strict=True))
+        arguments = tuple(np.concatenate(pair) for pair in zip(arguments, hard, strict=True))
     with np.errstate(all="ignore"):
         got = function(*arguments)
     return Comparison(

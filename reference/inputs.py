@@ -331,3 +331,23 @@ def angle_and_drag(rng: Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 MOTION = Arguments(angle_and_drag, [(a, e) for a in ANGLES for e in DRAGS] + OUTSIDE)
+
+# Hard cases --------------------------------------------------
+
+#: Inputs at which a kernel once was at its worst, found by longer searches than a run makes.
+HARD: dict[str, list[tuple[float, ...]]] = {
+    "lambertw0": [(-6.926145520459907e-17,)],
+    "tree": [(6.406722755491773e-17,)],
+    "apex_curvature": [(0.7549014608875808, 1.455976468789219)],
+    "locus_curvature": [
+        (0.7451352360233541, 0.00971957377226547),
+        (0.7622929466841202, 0.005954422691331499),
+        (0.7275603485676038, 0.3335208596234571),
+    ],
+    "locus_launch_angle": [(0.07823764787808882, 46.585678906530084)],
+    "locus_launch_angle_d2": [
+        (1e-310, 1e-308),
+        (3.1415926535897905, 6.9085681953531405e221),
+        (1.047049169987363e-07, 2249069.1630480345),
+    ],
+}

@@ -19,7 +19,7 @@ from flint import arb, ctx
 from reference.ball import OutsideDomainError, exponent
 
 #: The double nearest -1/e.
-BRANCH_POINT = -math.exp(-1.0)
+BRANCH_POINT = -0.36787944117144233
 PRINCIPAL, LOWER = 1, -1
 
 

@@ -1,6 +1,5 @@
 """Every public function: its exact values, its arguments, and the error allowed."""
 
-import zlib
 from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
@@ -106,10 +105,9 @@ def groups(names: Iterable[str]) -> list[list[str]]:
     return list(together.values())
 
 
-def stream(arguments: Arguments) -> int:
-    """A key for the random numbers of these arguments, from the first function that has them."""
-    name = next(name for name, function in FUNCTIONS.items() if function.arguments is arguments)
-    return zlib.crc32(name.encode())
+def stream(arguments: Arguments) -> str:
+    """A name for the random numbers of these arguments: the first function that has them."""
+    return next(name for name, f in FUNCTIONS.items() if f.arguments is arguments)
 
 
 def sample(name: str, count: int, seed: Sequence[int] | int) -> tuple[np.ndarray, ...]:

@@ -29,7 +29,7 @@ def test_record_is_of_enough_inputs_and_within_its_bound(name):
 
 @pytest.mark.parametrize("name", oracle.FUNCTIONS)
 def test_recorded_input_still_has_the_recorded_error(name):
-    """Worse fails, and so does clearly better until `make accuracy` has tightened the record."""
+    """Worse fails, and so does clearly better until the record is tightened."""
     (row,) = accuracy.recorded_inputs(RECORD, [name])
     arguments = tuple(np.array([v]) for v in row)
     (error,) = compare.ulp_errors(
