@@ -1,7 +1,7 @@
 """Measure one function of the crate against its exact values and print its worst inputs.
 
 python -m reference.probe log1pmx --count 20000 --seed 7 --worst 5
-python -m reference.probe apex_x --at 0x1.8p+0 0.1
+python -m reference.probe apex_x --at=0x1.8p+0,0.1
 """
 
 import argparse
@@ -12,8 +12,9 @@ from reference import kernels, oracle
 from reference.ball import ulp_errors
 
 
-def number(text: str) -> float:
-    return float.fromhex(text) if "0x" in text.lower() else float(text)
+def numbers(text: str) -> list[float]:
+    """Numbers between commas, decimal or hexadecimal."""
+    return [float.fromhex(v) if "0x" in v else float(v) for v in text.split(",")]
 
 
 def main() -> None:
@@ -28,9 +29,7 @@ def main() -> None:
     )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--worst", type=int, default=8, help="how many of the worst to print")
-    parser.add_argument(
-        "--at", type=number, nargs="+", help="one input instead, decimal or hexadecimal"
-    )
+    parser.add_argument("--at", type=numbers, help="one input instead, as NUMBER or NUMBER,NUMBER")
     options = parser.parse_args()
 
     if options.at:
