@@ -45,7 +45,7 @@ array([-0.48940223,  0.56714329,  1.745528  ])
         f"{CORLESS}; equation (13) of {PAPER} needs it where ε sin α > 2.1461932…",
         """\
 >>> archerfish.lambertwm1([-0.3, -0.1, -1e-20])
-array([ -1.78133702,  -3.57715206, -49.96508013])
+array([ -1.78133702,  -3.57715206, -49.96298428])
 """,
     ),
     "lambertw0_offset": UfuncDoc(
@@ -175,7 +175,7 @@ array([1.80187014, 1.13510838, 0.62970059])
         f"Figure 3(b) of {PAPER}, from the closed form of (10) instead of differences.",
         """\
 >>> archerfish.locus_launch_angle_d2(np.radians([10.0, 30.0, 60.0]), 0.1)
-array([-1.78960123, -1.6024363 , -0.48199183])
+array([-1.78960123, -1.60243699, -0.48199183])
 """,
     ),
     "locus_radius": UfuncDoc(
