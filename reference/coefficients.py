@@ -114,6 +114,7 @@ TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
+    "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
@@ -240,7 +241,11 @@ def lawson(start, iterations=800):
         return sum(c * y**k * (y + 1) ** (degree - k) for k, c in enumerate(in_x)).coef
 
     top, bottom = in_variable(best[1][: m + 1]), in_variable(np.append(1, best[1][m + 1 :]))
-    return [float(f"{c:.10g}") for c in top / bottom[0]], [float(f"{c:.10g}") for c in bottom / bottom[0]], best[0]
+    return (
+        [float(f"{c:.10g}") for c in top / bottom[0]],
+        [float(f"{c:.10g}") for c in bottom / bottom[0]],
+        best[0],
+    )
 
 
 def print_table(name, coefficients):
@@ -254,7 +259,10 @@ def main(names):
     for name in names or [*FITS, *STARTS]:
         if name in STARTS:
             top, bottom, worst = lawson(STARTS[name]())
-            print(f"// {name}: {worst:.2f} of the error that can be borne: reference/coefficients.py {name}")
+            print(
+                f"// {name}: {worst:.2f} of the error that can be borne:"
+                f" reference/coefficients.py {name}"
+            )
             print_table(f"{name}_top", top)
             print_table(f"{name}_bottom", bottom)
             continue

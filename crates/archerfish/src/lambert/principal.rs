@@ -4,7 +4,7 @@
 //! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
 
 use super::branch::{INVERSE_E, NEAR, principal_near};
-use super::step::{correction, rough_ln};
+use super::step::{correction, rough_ln_1p};
 use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::real::{polynomial, select, sqrt};
 
@@ -35,7 +35,7 @@ const END: f64 = 0.45867514538708193;
 /// W₀ to few digits, for z ≥ −0.322.
 #[inline(always)]
 fn start(z: f64) -> f64 {
-    let logarithm = rough_ln(1.0 + z);
+    let logarithm = rough_ln_1p(z);
     let y = sqrt(logarithm + END);
     let quotient = polynomial(y, &PRINCIPAL_START_TOP) / polynomial(y, &PRINCIPAL_START_BOTTOM);
     logarithm * quotient

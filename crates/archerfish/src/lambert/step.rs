@@ -7,7 +7,7 @@
 
 use crate::real::double_double::{DoubleDouble, two_sum};
 use crate::real::{
-    Exponential, exponent_and_significand, nearest_integer, polynomial, power_of_two,
+    Exponential, exponent_and_significand, nearest_integer, polynomial, power_of_two, select,
 };
 
 // rough_log: minimax on [-0.293, 0.4143], degree 7,
@@ -42,10 +42,22 @@ pub(super) fn correction(z: DoubleDouble, w: f64) -> f64 {
     t - t * t * (a - t * (2.0 * a * a - b))
 }
 
-/// `ln w` of a positive normal number, to 2⁻²² of itself except near 1.
+/// `ln w` of a positive normal number, to 2⁻²² of itself.
 #[inline(always)]
 pub(super) fn rough_ln(w: f64) -> f64 {
     let (k, m) = exponent_and_significand(w);
-    let f = m - 1.0;
+    rough(k, m - 1.0)
+}
+
+/// `ln(1 + x)` for x > −1, to 2⁻²² of itself.
+#[inline(always)]
+pub(super) fn rough_ln_1p(x: f64) -> f64 {
+    let (k, m) = exponent_and_significand(1.0 + x);
+    rough(k, select(k == 0.0, x, m - 1.0))
+}
+
+/// `k ln 2 + ln(1 + f)`
+#[inline(always)]
+fn rough(k: f64, f: f64) -> f64 {
     k * core::f64::consts::LN_2 + f * polynomial(f, &ROUGH_LOG)
 }

@@ -34,19 +34,25 @@ const HALF_PI: [f64; 3] = [
     f64::from_bits(0x397b_839a_2520_49c1),
 ];
 
-/// `sin r` and `cos r` for |r| ≤ π/4, each to 2⁻⁵⁷ of itself.
+/// `sin r` and `cos r` for |r| ≤ π/4, each to 2⁻⁵⁶ of itself.
 #[inline(always)]
 pub(crate) fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    let z = r.hi * r.hi;
-    let sin_tail = r.hi * z * polynomial(z, &SIN_TAIL) + r.lo * (1.0 - 0.5 * z);
-    let sin = fast_two_sum(r.hi, sin_tail);
     let (head, rest) = split(r.hi);
-    let cos = fast_two_sum(1.0, -(0.5 * head * head));
-    let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * ((r.hi + head) * rest) + r.hi * r.lo);
+    let head_square = head * head;
+    let rest_square = rest * (r.hi + head);
+    let z = r.hi * r.hi;
+    let z_low = (head_square - z) + rest_square;
+    // the leading term −r³/6 apart: it is a seventh of sin r, and its roundings are felt
+    let cube = r.hi * z;
+    let [sixth, tail @ ..] = SIN_TAIL;
+    let small = cube * (z * polynomial(z, &tail)) + r.hi * (sixth * z_low);
+    let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
+    let cos = fast_two_sum(1.0, -0.5 * head_square);
+    let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * rest_square + r.hi * r.lo);
     (sin, fast_two_sum(cos.hi, cos.lo + cos_tail))
 }
 
-/// `sin x` and `cos x` for |x| ≤ 2π, each to 2⁻⁵⁷ of itself.
+/// `sin x` and `cos x` for |x| ≤ 2π, each to 2⁻⁵⁶ of itself.
 #[inline(always)]
 pub(crate) fn sin_cos_extended(x: f64) -> (DoubleDouble, DoubleDouble) {
     let shifted = x * core::f64::consts::FRAC_2_PI + MAGIC;
