@@ -16,7 +16,9 @@ bin := .venv/bin
 pip_install := $(bin)/python -m pip install --quiet --no-input --require-hashes
 sources := Cargo.toml Cargo.lock pyproject.toml $(shell find crates -name Cargo.toml -o -path '*/src/*.rs')
 
-.PHONY: help demo test check lint docs bench figures accuracy locks clean
+wasm := crates/archerfish-wasm/js/archerfish.wasm
+
+.PHONY: help demo test check lint docs wasm bench figures accuracy locks clean
 
 help: ## Show this list
 	@sed -nE 's/^([a-z]+):[^#]*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
@@ -46,6 +48,8 @@ lint: .venv/dev .venv/package ## Check format, clippy, ruff, and mypy --strict, 
 docs: .venv/test .venv/package ## Build the Rust pages without a warning; run every example in the prose
 	cargo doc --workspace --no-deps --locked --quiet
 	$(bin)/python -m pytest --quiet --doctest-glob='*.md' README.md docs
+
+wasm: $(wasm) ## Build the kernels for browsers and node
 
 bench: .venv/test .venv/package ## Time and compare with the textbook forms and other libraries
 	$(bin)/python -m bench.compare
@@ -79,3 +83,12 @@ clean: ## Remove what these tasks made
 	@PATH="$(CURDIR)/$(bin):$$PATH" $(bin)/python -m pip install --quiet --no-input \
 		--no-index --no-deps --no-build-isolation --editable .
 	@touch $@
+
+$(wasm): $(sources)
+	@tools/need > /dev/null
+	@rustup target add wasm32-unknown-unknown 2> /dev/null || { echo "make wasm needs rustup," \
+		"which fetches Rust's library for WebAssembly: install it (https://rustup.rs)" >&2; exit 1; }
+	@echo "Compiling the kernels to WebAssembly"
+	@RUSTFLAGS="-C target-feature=+simd128" cargo build --quiet --locked --package archerfish-wasm \
+		--profile wasm --target wasm32-unknown-unknown --target-dir target
+	@cp target/wasm32-unknown-unknown/wasm/archerfish.wasm $@

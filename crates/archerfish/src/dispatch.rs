@@ -1,5 +1,6 @@
 //! Which instruction set: one inlined body, compiled once for each, chosen once at start.
 
+#[cfg(target_arch = "x86_64")]
 use std::sync::OnceLock;
 
 /// Instruction sets a kernel is compiled for.
@@ -13,6 +14,7 @@ pub(crate) enum Isa {
 }
 
 /// The widest instruction set this machine has, or the one `ARCHERFISH_ISA` names.
+#[cfg(target_arch = "x86_64")]
 pub(crate) fn isa() -> Isa {
     static ISA: OnceLock<Isa> = OnceLock::new();
     *ISA.get_or_init(|| choose(std::env::var("ARCHERFISH_ISA").ok().as_deref()))
@@ -33,8 +35,9 @@ fn choose(wanted: Option<&str>) -> Isa {
     }
 }
 
+/// The only one there is.
 #[cfg(not(target_arch = "x86_64"))]
-fn choose(_wanted: Option<&str>) -> Isa {
+pub(crate) fn isa() -> Isa {
     Isa::Baseline
 }
 
@@ -49,11 +52,39 @@ pub fn isa_name() -> &'static str {
     }
 }
 
+/// Elements computed at once in a browser.
+#[cfg(target_arch = "wasm32")]
+pub(crate) const BLOCK: usize = 8;
+
+/// Goes through the slices in blocks, the last one padded, and leaves each to `compute`.
+///
+/// A loop of unknown length would be compiled twice, for pairs of elements and for a last one, and
+/// a page has to fetch that.
+#[cfg(target_arch = "wasm32")]
+#[inline(never)]
+pub(crate) fn in_blocks<const INPUTS: usize>(
+    inputs: [&[f64]; INPUTS],
+    out: &mut [f64],
+    compute: fn(&[[f64; BLOCK]; INPUTS], &mut [f64; BLOCK]),
+) {
+    let mut x = [[0.0; BLOCK]; INPUTS];
+    let mut values = [0.0; BLOCK];
+    for first in (0..out.len()).step_by(BLOCK) {
+        let n = BLOCK.min(out.len() - first);
+        for (block, input) in x.iter_mut().zip(inputs) {
+            block[..n].copy_from_slice(&input[first..first + n]);
+        }
+        compute(&x, &mut values);
+        out[first..first + n].copy_from_slice(&values[..n]);
+    }
+}
+
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
     ($(#[$doc:meta])* $name:ident, $kernel:path, $($x:ident),+) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
+            #[cfg(not(target_arch = "wasm32"))]
             #[inline(always)]
             fn body($($x: &[f64],)+ out: &mut [f64]) {
                 let n = out.len();
@@ -61,6 +92,15 @@ macro_rules! batch {
                 for i in 0..n {
                     out[i] = $kernel($($x[i]),+);
                 }
+            }
+            #[cfg(target_arch = "wasm32")]
+            fn body($($x: &[f64],)+ out: &mut [f64]) {
+                use $crate::dispatch::{BLOCK, in_blocks};
+                in_blocks([$($x),+], out, |[$($x),+]: &[[f64; BLOCK]; _], out| {
+                    for i in 0..BLOCK {
+                        out[i] = $kernel($($x[i]),+);
+                    }
+                });
             }
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx2")]

@@ -1,0 +1,44 @@
+/** A function of one number: `z`, `d` or `x`. */
+export type UnaryName =
+  | "lambertw0"
+  | "lambertwm1"
+  | "lambertw0_offset"
+  | "lambertwm1_offset"
+  | "tree"
+  | "log1pmx";
+
+/** A function of an angle in radians (launch angle, or elevation) and of the drag parameter. */
+export type BinaryName =
+  | "apex_x"
+  | "apex_y"
+  | "apex_time"
+  | "apex_distance"
+  | "apex_elevation"
+  | "apex_curvature"
+  | "locus_launch_angle"
+  | "locus_launch_angle_d1"
+  | "locus_launch_angle_d2"
+  | "locus_radius"
+  | "locus_curvature";
+
+/** Doubles in the module's memory. */
+export interface Column {
+  readonly length: number;
+  /** The numbers themselves. Memory that grows takes its old views away: ask anew after `column`. */
+  readonly values: Float64Array;
+}
+
+/** Each fills its last column, as long as that is. */
+export type Functions = Readonly<
+  Record<UnaryName, (x: Column, out: Column) => void> &
+    Record<BinaryName, (angle: Column, eps: Column, out: Column) => void>
+>;
+
+export interface Kernels {
+  readonly functions: Functions;
+  /** Room for `length` numbers, all 0, as long as the module lives. */
+  column(length: number): Column;
+}
+
+/** Instantiates the module, compiled or as bytes. */
+export function loadKernels(source: WebAssembly.Module | BufferSource): Promise<Kernels>;
