@@ -68,8 +68,12 @@ clean: ## Remove what these tasks made
 
 # The environment. A file in it stands for each finished step, so that a second run is quick.
 
+# The Python to use; where a tool is missing, make stops with the one line that tools/need says.
+find_tools = $(eval python := $(shell PATH="$(PATH)" PYTHON="$(PYTHON)" tools/need 2>&1))$\
+             $(if $(findstring archerfish needs,$(python)),$(error $(python)))
+
 .venv/made: tools/need
-	@python=$$(tools/need) && rm -rf .venv && "$$python" -m venv .venv
+	$(find_tools)@rm -rf .venv && "$(python)" -m venv .venv
 	@touch $@
 
 .venv/demo .venv/test .venv/dev: .venv/%: requirements/%.lock requirements/build.lock | .venv/made
@@ -78,8 +82,7 @@ clean: ## Remove what these tasks made
 	@touch $@
 
 .venv/package: $(sources) | .venv/demo
-	@tools/need > /dev/null
-	@echo "Compiling the kernels (about a minute the first time)"
+	$(find_tools)@echo "Compiling the kernels (about a minute the first time)"
 	@PATH="$(CURDIR)/$(bin):$$PATH" $(bin)/python -m pip install --quiet --no-input \
 		--no-index --no-deps --no-build-isolation --editable .
 	@touch $@
