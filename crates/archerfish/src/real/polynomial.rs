@@ -5,7 +5,7 @@
 pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {
     let square = x * x;
     let top_even = (N - 1) / 2 * 2;
-    let top_odd = if N % 2 == 0 { N - 1 } else { N - 2 };
+    let top_odd = if N.is_multiple_of(2) { N - 1 } else { N - 2 };
     let mut even = coefficients[top_even];
     let mut k = top_even;
     while k >= 2 {
