@@ -28,7 +28,7 @@ demo: .venv/package ## Compute the locus of the README, its table, CSV and Figur
 	@$(bin)/archerfish locus --speed 10 --epsilon 0.1 \
 		--output out/locus.csv --figure out/figure1.svg --figure out/figure1.png
 
-test: .venv/test .venv/package ## Run the Rust tests, then the Python tests
+test: .venv/test .venv/package $(if $(shell command -v node),$(wasm)) ## Run the Rust tests, then the Python tests
 	cargo test --workspace --locked --quiet
 	$(bin)/python -m pytest --quiet
 

@@ -1,0 +1,88 @@
+"""Every instruction set, and WebAssembly, give the same bits."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import archerfish
+from reference import oracle
+
+COUNT = 200_000
+#: One input in so many is any double at all: NaN, infinities, subnormals, nonsense.
+ANYTHING = 20
+HERE = Path(__file__).resolve().parent
+WASM = HERE.parents[2] / "crates/archerfish-wasm/js"
+NODE = shutil.which("node")
+
+SETS = ["baseline", "avx2", "avx512"]
+#: Those this machine has: up to the widest, which is the one in use unless the environment says
+#: otherwise.
+AVAILABLE = SETS[: SETS.index(archerfish.isa()) + 1]
+UFUNCS = [name for name in archerfish.__all__ if isinstance(getattr(archerfish, name), np.ufunc)]
+
+
+def columns(name):
+    """Random and adversarial arguments of a ufunc; some of them no arguments at all."""
+    drawn = oracle.FUNCTIONS[name].arguments
+    rng = np.random.default_rng([2010, zlib.crc32(name.encode())])
+    corners = np.array(drawn.corners, dtype=float).T
+    inputs = np.concatenate([corners, drawn.draw(rng, COUNT - corners.shape[1])], axis=1)
+    for column in inputs:
+        column[::ANYTHING] = rng.integers(2**64, size=column[::ANYTHING].size, dtype="u8").view(
+            "f8"
+        )
+    return inputs
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    place = tmp_path_factory.mktemp("columns")
+    with np.errstate(all="ignore"):
+        for name in UFUNCS:
+            for k, column in enumerate(columns(name)):
+                for element in ("float64", "float32"):
+                    column.astype(element).tofile(place / f"{name}.{element}.{k}")
+    return place
+
+
+def printed(command, **environment):
+    run = subprocess.run(
+        command, env=os.environ | environment, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    return json.loads(run.stdout)
+
+
+def natively(folder, isa):
+    answer = printed([sys.executable, HERE / "digests.py", folder], ARCHERFISH_ISA=isa)
+    assert answer["isa"] == isa
+    return answer["digests"]
+
+
+@pytest.fixture(scope="module")
+def baseline(folder):
+    digests = natively(folder, "baseline")
+    assert len(digests) == 2 * len(UFUNCS)
+    return digests
+
+
+@pytest.mark.parametrize("isa", AVAILABLE[1:])
+def test_instruction_sets_agree(folder, baseline, isa):
+    assert natively(folder, isa) == baseline
+
+
+# Without node there is nothing that could run the other side.
+if NODE is not None:
+
+    def test_webassembly_agrees(folder, baseline):
+        module = WASM / "archerfish.wasm"
+        assert module.exists(), "build it first: make wasm"
+        answer = printed([NODE, HERE / "digests.mjs", WASM / "kernels.js", module, folder])
+        assert answer["digests"] == baseline
