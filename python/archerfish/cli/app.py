@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import io
+import os
 import signal
 import sys
 
@@ -90,6 +92,10 @@ def _command(error: click.UsageError) -> str:
 def _failed_write(error: OSError) -> int:
     if error.errno == errno.EPIPE:  # Where there is no SIGPIPE.
         return FAILURE
+    if not error.filename:
+        # What could not be written is still buffered: let the flush at exit go nowhere.
+        with contextlib.suppress(io.UnsupportedOperation):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     name = error.filename or "standard output"
     return _complain("archerfish", f"cannot write {name}: {error.strerror or error}", FAILURE)
 

@@ -129,7 +129,8 @@ def test_a_disk_that_fills_up_leaves_no_part_of_a_file(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_standard_output_that_is_full(tmp_path):
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_standard_output_that_is_full(tmp_path, unbuffered):
     with open("/dev/full", "w") as full:  # noqa: PTH123
         done = subprocess.run(
             [sys.executable, "-m", "archerfish", *SHOT],
@@ -137,6 +138,7 @@ def test_standard_output_that_is_full(tmp_path):
             stderr=subprocess.PIPE,
             text=True,
             cwd=tmp_path,
+            env=os.environ | {"PYTHONUNBUFFERED": unbuffered},
             check=False,
         )
     assert done.stderr == "archerfish: cannot write standard output: No space left on device\n"
