@@ -107,6 +107,11 @@ def rough_log(f):
     return taylor_near_zero(lambda t: mp.log1p(t) / t, lambda k: mp.mpf(-1) ** k / (k + 1))(f)
 
 
+def rough_atan(z):
+    """arctan(√z)/√z."""
+    return 1 + z * atan_tail(z)
+
+
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
 ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
@@ -119,6 +124,7 @@ FITS = {
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
+    "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
@@ -174,13 +180,18 @@ def remez(fit, iterations=12):
 
 
 class Start(NamedTuple):
-    """Samples of a variable, the function there, and the relative error that can be borne."""
+    """Samples of a variable y, the function there, and the relative error that can be borne.
+
+    The fit is done in y/(1 + y), or 1/(1 + y), which makes a long interval short; the coefficients
+    are of powers of y, or where `compressed` of 1/(1 + y).
+    """
 
     variable: Any
     function: Any
     bearable: Any
     numerator_degree: int
     denominator_degree: int
+    compressed: bool = False
 
 
 def bearable_error(w):
@@ -209,14 +220,38 @@ def lower_start():
     return Start(eta, (-1 - w) / eta, bearable_error(w) * w / (1 + w), 4, 3)
 
 
-STARTS = {"principal_start": principal_start, "lower_start": lower_start}
+def gain(u):
+    """G(u) = (1 + u)(u − ln(1 + u))/u²."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        direct = (1 + u) * (u - np.log1p(u)) / u**2
+    return np.where(u < 1e-3, 1 / 2 + u / 6 - u**2 / 12 + u**3 / 20, direct)
+
+
+DRAGS = np.concatenate([[0], np.geomspace(3e-4, 1e15, 6000)])
+
+
+def rough_gain():
+    """G as a function of 1/(1 + u), to 2⁻¹⁶."""
+    return Start(DRAGS, gain(DRAGS), 2.0**-16 / gain(DRAGS), 5, 5, compressed=True)
+
+
+def rougher_gain():
+    """As `rough_gain`, for the guess before it."""
+    return Start(DRAGS, gain(DRAGS), 2.0**-9 / gain(DRAGS), 2, 2, compressed=True)
+
+
+STARTS = {
+    "principal_start": principal_start,
+    "lower_start": lower_start,
+    "rough_gain": rough_gain,
+    "rougher_gain": rougher_gain,
+}
 
 
 def lawson(start, iterations=800):
     """Numerator and denominator in the variable, lowest degree first, and the greatest error."""
-    # the fit is done in y/(y + 1), which makes the long interval short
     y, m, n = start.variable, start.numerator_degree, start.denominator_degree
-    x = y / (y + 1)
+    x = 1 / (1 + y) if start.compressed else y / (1 + y)
     low, high = x.min(), x.max()
     basis = np.polynomial.chebyshev.chebvander(2 * (x - low) / (high - low) - 1, max(m, n))
     weight = 1 / start.bearable / abs(start.function)
@@ -233,19 +268,28 @@ def lawson(start, iterations=800):
         lawson_weight /= lawson_weight.mean()
 
     def in_variable(chebyshev):
-        """Chebyshev series in the scaled y/(y+1), times (y+1)^max(m, n), as a polynomial in y."""
+        """A Chebyshev series in the scaled variable as a polynomial."""
         scaled = np.polynomial.Polynomial([(-2 * low) / (high - low) - 1, 2 / (high - low)])
-        in_x = np.polynomial.chebyshev.cheb2poly(chebyshev)
-        in_x = np.polynomial.Polynomial(in_x)(scaled).coef
+        in_x = np.polynomial.Polynomial(np.polynomial.chebyshev.cheb2poly(chebyshev))(scaled).coef
+        if start.compressed:
+            return in_x
         y, degree = np.polynomial.Polynomial([0, 1]), max(m, n)
         return sum(c * y**k * (y + 1) ** (degree - k) for k, c in enumerate(in_x)).coef
 
     top, bottom = in_variable(best[1][: m + 1]), in_variable(np.append(1, best[1][m + 1 :]))
-    return (
-        [float(f"{c:.10g}") for c in top / bottom[0]],
-        [float(f"{c:.10g}") for c in bottom / bottom[0]],
-        best[0],
-    )
+    return [[float(f"{c:.10g}") for c in part / bottom[0]] for part in (top, bottom)] + [best[0]]
+
+
+def rough_gain_slope():
+    """Numerator of u G′(u) over the denominator of `rough_gain`, by plain least squares."""
+    _, bottom, _ = lawson(rough_gain())
+    x = 1 / (1 + DRAGS)
+    slope = 1 - (2 + DRAGS) / (1 + DRAGS) * gain(DRAGS)
+    slope = np.where(DRAGS < 1e-3, DRAGS / 6 - DRAGS**2 / 6, slope)
+    rows = x[:, None] ** np.arange(7) / np.polynomial.Polynomial(bottom)(x)[:, None]
+    coefficients, *_ = np.linalg.lstsq(rows, slope, rcond=None)
+    worst = abs(rows @ coefficients - slope).max()
+    return [float(f"{c:.10g}") for c in coefficients], worst
 
 
 def print_table(name, coefficients):
@@ -256,7 +300,12 @@ def print_table(name, coefficients):
 
 
 def main(names):
-    for name in names or [*FITS, *STARTS]:
+    for name in names or [*FITS, *STARTS, "rough_gain_slope"]:
+        if name == "rough_gain_slope":
+            coefficients, worst = rough_gain_slope()
+            print(f"// {name}: least squares, error {worst:.2g}: reference/coefficients.py {name}")
+            print_table(name, coefficients)
+            continue
         if name in STARTS:
             top, bottom, worst = lawson(STARTS[name]())
             print(

@@ -1,38 +1,41 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
+use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 use crate::real::angle;
-use crate::real::double_double::DoubleDouble;
+use crate::real::double_double::{DoubleDouble, fast_two_sum};
 
 impl Launch {
-    /// `x = sin α cos α / (1 + u)`
+    /// `x = sin α cos α / q`
     #[inline(always)]
-    pub fn x(&self) -> DoubleDouble {
-        self.sin.mul(self.cos).div(self.drag.q)
+    fn x(&self) -> DoubleDouble {
+        self.sin.mul(self.cos).div(self.q())
     }
 
-    /// `y = sin²α φ(u)`
+    /// `y = sin²α φ(u)`, φ(u) being (1 − a)/(2 + u)
     #[inline(always)]
-    pub fn y(&self) -> DoubleDouble {
-        self.sin.square().mul(self.drag.phi())
+    fn y(&self) -> DoubleDouble {
+        self.sin.square().mul(fast_two_sum(1.0, -self.a())).div(self.q_plus_one())
     }
 
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
-    pub fn time(&self) -> DoubleDouble {
-        self.sin.mul(self.drag.mean_slowness())
+    fn time(&self) -> DoubleDouble {
+        self.sin.mul(Drag::at(self.u).mean_slowness())
     }
 
-    /// `r = sin α √Q / (1 + u)`, which is x/cos θ
+    /// `r = sin α √(cos²α + G² sin²α) / q`
     #[inline(always)]
-    pub fn distance(&self) -> DoubleDouble {
-        self.sin.mul(self.stretch().sqrt()).div(self.drag.q)
+    fn distance(&self) -> DoubleDouble {
+        let stretch = self.cos.square().add(self.sin.mul(self.gain(self.a())).square());
+        self.sin.mul(stretch.sqrt()).div(self.q())
     }
 
-    /// θ, from `tan θ = G(u) tan α`
+    /// θ, from `tan θ = G(u) tan α` with the denominator of G on the other side
     #[inline(always)]
-    pub fn elevation(&self) -> DoubleDouble {
-        angle(self.sin.mul(self.drag.gain()), self.cos)
+    fn elevation(&self) -> DoubleDouble {
+        let up = self.sin.mul(self.q().mul(fast_two_sum(1.0, -self.a())));
+        angle(up, self.cos.mul(self.q_plus_one()))
     }
 }
 

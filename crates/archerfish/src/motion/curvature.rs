@@ -5,7 +5,7 @@
 //! All of it stays of moderate size for every ε, and the denominator is never near zero.
 
 use super::launch::{Launch, within_domain};
-use super::locus::launch_at_elevation;
+use super::locus::Elevated;
 use crate::real::double_double::DoubleDouble;
 
 const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
@@ -15,7 +15,7 @@ impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
     #[inline(always)]
     pub fn curvature(&self) -> f64 {
-        let q = self.drag.q;
+        let q = self.q();
         let inverse = 1.0 / q.hi;
         let k = DoubleDouble::from(1.0).div_by(q, inverse);
         let p = self.u.div_by(q, inverse);
@@ -43,5 +43,5 @@ pub fn apex_curvature(alpha: f64, eps: f64) -> f64 {
 /// Curvature of the locus by elevation, times V₀²/g.  [Eq. 19]
 #[inline(always)]
 pub fn locus_curvature(theta: f64, eps: f64) -> f64 {
-    within_domain(theta, eps, launch_at_elevation(theta, eps).launch.curvature())
+    within_domain(theta, eps, Elevated::new(theta, eps).launch().curvature())
 }

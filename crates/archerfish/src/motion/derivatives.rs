@@ -11,28 +11,30 @@
 
 use super::drag::Drag;
 use super::launch::{LARGE, Launch, SMALL, TINY, within_domain};
-use super::locus::launch_at_elevation;
+use super::locus::Elevated;
 use crate::real::double_double::DoubleDouble;
 use crate::real::select;
 
+impl Elevated {
+    /// `dα/dθ = Q/P`
+    ///
+    /// On the locus cos α/cos θ is √Q.
+    #[inline(always)]
+    fn launch_angle_d1(&self) -> DoubleDouble {
+        let launch = self.launch();
+        let a = launch.a();
+        let slope = launch.gain(a).add(launch.cos.square().mul_double(a));
+        self.cos_ratio().square().div(slope)
+    }
+}
+
 impl Launch {
-    /// `P`, positive; dθ/dα is P/Q
-    #[inline(always)]
-    fn slope(&self) -> DoubleDouble {
-        self.drag.gain().add(self.cos.square().mul(self.drag.a))
-    }
-
-    /// `dα/dθ`
-    #[inline(always)]
-    pub fn launch_angle_d1(&self) -> DoubleDouble {
-        self.stretch().div(self.slope())
-    }
-
     /// `d²α/dθ²`
     #[inline(always)]
-    pub fn launch_angle_d2(&self) -> DoubleDouble {
-        let Drag { sigma_rest, rho, a, .. } = self.drag;
-        let (gain, sigma_plus_one) = (self.drag.gain(), self.drag.sigma_plus_one());
+    fn launch_angle_d2(&self) -> DoubleDouble {
+        let drag = Drag::<DoubleDouble>::at(self.u);
+        let (gain, sigma_plus_one) = (drag.gain(), drag.sigma_plus_one());
+        let Drag { sigma_rest, rho, a, .. } = drag;
         let (sin2, cos2) = (self.sin.square(), self.cos.square());
         let b = sigma_rest.mul_double(self.epsilon).mul(sigma_rest).scale(0.5);
         let p = b.mul(cos2.div(sigma_plus_one).sub(rho.mul(sin2.add(cos2.mul(sigma_rest)))));
@@ -40,7 +42,8 @@ impl Launch {
             .mul(sigma_plus_one.sub(sigma_rest.mul(gain)))
             .add(sigma_rest.mul(gain.add_double(1.0)));
         let w = self.sin.mul(bracket).neg();
-        let (slope, stretch) = (self.slope(), self.stretch());
+        let slope = gain.add(cos2.mul(a));
+        let stretch = cos2.add(sin2.mul(gain.square()));
         let difference = w.mul(slope).sub(p.mul(stretch));
         self.cos.mul(difference).mul(stretch).div(slope.square().mul(slope))
     }
@@ -51,7 +54,7 @@ impl Launch {
 /// 2 at θ = 0 for every drag; between 1/2 and 2 without drag.
 #[inline(always)]
 pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
-    within_domain(theta, eps, launch_at_elevation(theta, eps).launch.launch_angle_d1().round())
+    within_domain(theta, eps, Elevated::new(theta, eps).launch_angle_d1().round())
 }
 
 /// Second derivative of the launch angle by the elevation, d²α/dθ².
@@ -62,6 +65,6 @@ pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
     // −12θ − 8ε/3 where both are tiny: proportional to both, which a subnormal would spoil
     let tiny = (theta < TINY) & (eps < TINY);
     let (factor, back) = (select(tiny, LARGE, 1.0), select(tiny, SMALL, 1.0));
-    let launch = launch_at_elevation(theta * factor, eps * factor).launch;
+    let launch = Elevated::new(theta * factor, eps * factor).launch();
     within_domain(theta, eps, launch.launch_angle_d2().round() * back)
 }

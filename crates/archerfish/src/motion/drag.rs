@@ -4,80 +4,120 @@
 //! σ = u/(2 + u) in [0, 1), `ln(1+u) = 2 artanh σ` and `ρ(σ²) = (artanh σ/σ − 1)/σ²`,
 //!
 //! - `a = u G′(u) = σ(1 − σ) ρ`, never negative, with nothing cancelling as u → 0;
-//! - `φ(u) = (1 − σ)/2 · (1 − a)`;
-//! - `G(u) = (1 + u) φ(u) = (1 + σ)/2 · (1 − a)`.
+//! - `φ(u) = (1 − a)/(2 + u)`;
+//! - `G(u) = (1 + u) φ(u)`, from 1/2 to 1.
+//!
+//! Method: `1 + u = 2ᵏ m` with m in [1, 2), s = (m − 1)/(m + 1) and τ = (2ᵏ − 1)/(2ᵏ + 1), so that
+//! σ = (τ + s)/(1 + τ s). Then `artanh σ − σ = (k ln 2/2 − τ) + s³ ρ(s²) + τ s σ`: a sum of positive
+//! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
-use crate::real::Logarithm;
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use crate::real::double_double::{DoubleDouble, Number, fast_two_sum, two_sum};
+use crate::real::{
+    LN2_HI, LN2_LO, exponent_and_mantissa, nearest_integer, polynomial, power_of_two, select,
+};
+
+// artanh_tail: minimax on [0.0, 0.11112], degree 10,
+// weighted error 1.36e-18: reference/coefficients.py artanh_tail
+const ARTANH_TAIL: [f64; 11] = [
+    0.20000000000000007,
+    0.14285714285711484,
+    0.11111111111614065,
+    0.09090909045918469,
+    0.0769231002682731,
+    0.06666590683558438,
+    0.058839668690026437,
+    0.05240502638386737,
+    0.049692086255873485,
+    0.03173185332190979,
+    0.07606561628673504,
+];
+const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
+/// ln 2 / 2 − 1/3, where k ln 2/2 − τ would cancel
+const FIRST_EXCESS: DoubleDouble =
+    DoubleDouble { hi: 0.013240256946639321, lo: 3.0410896052784116e-20 };
 
 /// Drag at one value of u = ε sin α.
-pub(crate) struct Drag {
-    /// `q = 1 + u`
-    pub q: DoubleDouble,
+pub(crate) struct Drag<T> {
     /// `σ = u/(2 + u)`
-    pub sigma: DoubleDouble,
+    pub sigma: T,
     /// `1 − σ = 2/(2 + u)`
-    pub sigma_rest: DoubleDouble,
+    pub sigma_rest: T,
     /// `ρ(σ²)`
-    pub rho: DoubleDouble,
+    pub rho: T,
     /// `a = u G′(u)`
-    pub a: DoubleDouble,
+    pub a: T,
 }
 
-const ONE: DoubleDouble = DoubleDouble { hi: 1.0, lo: 0.0 };
-
-impl Drag {
+impl<T: Number> Drag<T> {
     /// Of u ≥ 0.
     #[inline(always)]
     pub fn at(u: DoubleDouble) -> Self {
+        let number = T::from_double;
         let q = plus(1.0, u);
-        let logarithm = Logarithm::of(q);
-        let denominator = plus(2.0, u);
-        let inverse = 1.0 / denominator.hi;
-        let sigma = u.div_by(denominator, inverse);
-        let sigma_rest = DoubleDouble::from(2.0).div_by(denominator, inverse);
-        // up to u = √2 − 1 the logarithm's own s is σ; above, artanh σ − σ loses few bits
-        let excess = logarithm.value().scale(0.5).sub(sigma);
-        let above = excess.div(sigma.square().mul(sigma));
-        let rho = DoubleDouble::select(logarithm.k == 0.0, logarithm.rho, above);
-        let a = sigma.mul(sigma_rest).mul(rho);
-        Drag { q, sigma, sigma_rest, rho, a }
+        let (k, m) = exponent_and_mantissa(q.hi);
+        // 2⁻ᵏ in two halves: k reaches 1023, and 2⁻¹⁰²³ is not a normal number
+        let half = nearest_integer(0.5 * k);
+        let low = q.lo * power_of_two(-half) * power_of_two(half - k);
+        let f = T::from_pair(fast_two_sum(m - 1.0, low));
+        let s = f / (number(2.0) + f);
+        let square = s * s;
+        let z = square.leading();
+        let tail = z * polynomial(z, &ARTANH_TAIL);
+        let rho_s =
+            T::from_pair(fast_two_sum(THIRD.hi, tail)) + T::from_pair(DoubleDouble::from(THIRD.lo));
+
+        let denominator = T::from_pair(plus(2.0, u));
+        let u = T::from_pair(u);
+        let inverse = number(1.0) / denominator;
+        let (sigma, sigma_rest) = (u * inverse, number(2.0) * inverse);
+
+        // τ is 1 to the last bit long before 2⁻ᵏ ceases to be a normal number
+        let power = number(power_of_two(-select(k > 1000.0, 1000.0, k)));
+        let tau = (number(1.0) - power) / (number(1.0) + power);
+        let half_k = number(0.5 * k);
+        let first = (half_k * number(LN2_HI) - tau) + half_k * number(LN2_LO);
+        let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESS), first);
+        let excess = first + (square * s * rho_s + tau * s * sigma);
+
+        let over = denominator / u;
+        let rho = T::either(k == 0.0, rho_s, excess * over * over * over);
+        Drag { sigma, sigma_rest, rho, a: sigma * sigma_rest * rho }
+    }
+
+    /// `1 − a`
+    #[inline(always)]
+    pub fn a_rest(&self) -> T {
+        T::from_double(1.0) - self.a
     }
 
     /// `1 + σ`
     #[inline(always)]
-    pub fn sigma_plus_one(&self) -> DoubleDouble {
-        plus(1.0, self.sigma)
+    pub fn sigma_plus_one(&self) -> T {
+        T::from_double(1.0) + self.sigma
     }
 
-    /// `φ(u)`
+    /// `G(u) = (1 + σ)(1 − a)/2`
     #[inline(always)]
-    pub fn phi(&self) -> DoubleDouble {
-        self.sigma_rest.mul(ONE.sub(self.a)).scale(0.5)
-    }
-
-    /// `G(u) = (1 + u) φ(u)`, from 1/2 to 1
-    #[inline(always)]
-    pub fn gain(&self) -> DoubleDouble {
-        self.sigma_plus_one().mul(ONE.sub(self.a)).scale(0.5)
+    pub fn gain(&self) -> T {
+        self.sigma_plus_one() * self.a_rest() * T::from_double(0.5)
     }
 
     /// `1 − G(u) = ((1 − σ) + (1 + σ) a)/2`, from 1/2 to 0
     #[inline(always)]
-    pub fn gain_rest(&self) -> DoubleDouble {
-        self.sigma_rest.add(self.sigma_plus_one().mul(self.a)).scale(0.5)
+    pub fn gain_rest(&self) -> T {
+        (self.sigma_rest + self.sigma_plus_one() * self.a) * T::from_double(0.5)
     }
 
     /// `ln(1 + u)/u = (1 − σ)(1 + σ² ρ)`
     #[inline(always)]
-    pub fn mean_slowness(&self) -> DoubleDouble {
-        self.sigma_rest.mul(self.sigma.square().mul(self.rho).add_double(1.0))
+    pub fn mean_slowness(&self) -> T {
+        self.sigma_rest * (T::from_double(1.0) + self.sigma * self.sigma * self.rho)
     }
 }
 
 /// `a + b`
 #[inline(always)]
-fn plus(a: f64, b: DoubleDouble) -> DoubleDouble {
+pub(crate) fn plus(a: f64, b: DoubleDouble) -> DoubleDouble {
     let sum = two_sum(a, b.hi);
     fast_two_sum(sum.hi, sum.lo + b.lo)
 }

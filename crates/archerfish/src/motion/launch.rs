@@ -1,7 +1,7 @@
 //! One launch: the direction, and the drag it meets.
 
-use super::drag::Drag;
-use crate::real::double_double::DoubleDouble;
+use super::drag::{Drag, plus};
+use crate::real::double_double::{DoubleDouble, fast_two_sum};
 use crate::real::{select, sin_cos_extended};
 
 /// A launch at angle α with drag parameter ε.
@@ -11,15 +11,13 @@ pub(crate) struct Launch {
     pub epsilon: f64,
     /// `u = ε sin α`
     pub u: DoubleDouble,
-    pub drag: Drag,
 }
 
 impl Launch {
     /// In the direction (cos α, sin α).
     #[inline(always)]
     pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: f64) -> Self {
-        let u = sin.mul_double(epsilon);
-        Launch { sin, cos, epsilon, u, drag: Drag::at(u) }
+        Launch { sin, cos, epsilon, u: sin.mul_double(epsilon) }
     }
 
     /// At the angle α in [0, π].
@@ -29,10 +27,28 @@ impl Launch {
         Launch::new(sin, cos, epsilon)
     }
 
-    /// `Q = cos²α + G² sin²α`: cos θ is cos α/√Q.
+    /// `q = 1 + u`
     #[inline(always)]
-    pub fn stretch(&self) -> DoubleDouble {
-        self.cos.square().add(self.sin.mul(self.drag.gain()).square())
+    pub fn q(&self) -> DoubleDouble {
+        plus(1.0, self.u)
+    }
+
+    /// `2 + u`
+    #[inline(always)]
+    pub fn q_plus_one(&self) -> DoubleDouble {
+        plus(2.0, self.u)
+    }
+
+    /// `a`, all that drag's special function contributes to an apex.
+    #[inline(always)]
+    pub fn a(&self) -> f64 {
+        Drag::<f64>::at(self.u).a
+    }
+
+    /// `G(u) = (1 + u)(1 − a)/(2 + u)`
+    #[inline(always)]
+    pub fn gain(&self, a: f64) -> DoubleDouble {
+        self.q().mul(fast_two_sum(1.0, -a)).div(self.q_plus_one())
     }
 }
 

@@ -4,6 +4,8 @@
 //! Products split their factors by masking, so that no fused instruction is needed and nothing
 //! overflows that the product itself does not.
 
+use core::ops::{Add, Div, Mul, Sub};
+
 /// The sum `hi + lo`, with `|lo|` far below `|hi|`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
@@ -145,3 +147,70 @@ impl DoubleDouble {
         }
     }
 }
+
+/// The numbers that formulas needed in two precisions are written for.
+pub(crate) trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// A double as it is.
+    fn from_double(a: f64) -> Self;
+    /// A sum of two doubles, as far as the type holds it.
+    fn from_pair(pair: DoubleDouble) -> Self;
+    /// The leading double.
+    fn leading(self) -> f64;
+    /// `a` where the condition holds, else `b`.
+    fn either(condition: bool, a: Self, b: Self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn from_double(a: f64) -> Self {
+        a
+    }
+    #[inline(always)]
+    fn from_pair(pair: DoubleDouble) -> Self {
+        pair.round()
+    }
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn either(condition: bool, a: Self, b: Self) -> Self {
+        super::select(condition, a, b)
+    }
+}
+
+impl Number for DoubleDouble {
+    #[inline(always)]
+    fn from_double(a: f64) -> Self {
+        DoubleDouble::from(a)
+    }
+    #[inline(always)]
+    fn from_pair(pair: DoubleDouble) -> Self {
+        pair
+    }
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
+    fn either(condition: bool, a: Self, b: Self) -> Self {
+        DoubleDouble::select(condition, a, b)
+    }
+}
+
+/// Operators for the methods of the same names.
+macro_rules! operators {
+    ($($trait:ident $method:ident;)+) => {$(
+        impl $trait for DoubleDouble {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                DoubleDouble::$method(self, b)
+            }
+        }
+    )+};
+}
+
+operators! { Add add; Sub sub; Mul mul; Div div; }

@@ -27,7 +27,7 @@ pub(crate) use atan::angle;
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 pub(crate) use polynomial::polynomial;
-pub(crate) use trigonometric::sin_cos_extended;
+pub(crate) use trigonometric::{sin_cos_extended, sin_cos_reduced};
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
 #[inline(always)]
@@ -63,6 +63,13 @@ pub(crate) fn exponent_and_significand(w: f64) -> (f64, f64) {
     let k = exponent_field(f64::from_bits(shifted));
     let m = f64::from_bits(bits.wrapping_sub((shifted & EXPONENT).wrapping_sub(ONE)));
     (k, m)
+}
+
+/// `(k, m)` with `w = 2ᵏ m` and m in [1, 2), for a positive normal w.
+#[inline(always)]
+pub(crate) fn exponent_and_mantissa(w: f64) -> (f64, f64) {
+    const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
+    (exponent_field(w), f64::from_bits((w.to_bits() & FRACTION) | 1.0f64.to_bits()))
 }
 
 /// The exponent that the bits of a positive normal number hold, as a double.
