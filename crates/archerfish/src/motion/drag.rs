@@ -79,9 +79,12 @@ impl<T: Number> Drag<T> {
         let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESS), first);
         let excess = first + (square * s * rho_s + tau * s * sigma);
 
-        let over = denominator / u;
-        let rho = T::either(k == 0.0, rho_s, excess * over * over * over);
-        Drag { sigma, sigma_rest, rho, a: sigma * sigma_rest * rho }
+        // a = 2 (artanh σ − σ)(2 + u)/u², which is (1 − σ)(artanh σ − σ)/σ², and ρ = a/(σ(1 − σ))
+        let over = number(1.0) / u;
+        let ratio = denominator * over;
+        let above = excess * ratio * over * number(2.0);
+        let rho = T::either(k == 0.0, rho_s, excess * ratio * ratio * ratio);
+        Drag { sigma, sigma_rest, rho, a: T::either(k == 0.0, sigma * sigma_rest * rho_s, above) }
     }
 
     /// `1 − a`
