@@ -1,9 +1,8 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
-use crate::real::angle;
 use crate::real::double_double::{DoubleDouble, fast_two_sum};
+use crate::real::{Logarithm, angle};
 
 impl Launch {
     /// `x = sin α cos α / q`
@@ -21,7 +20,9 @@ impl Launch {
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
     fn time(&self) -> DoubleDouble {
-        self.sin.mul(Drag::at(self.u).mean_slowness())
+        let slowed = self.sin.mul(Logarithm::of(self.q()).value()).div(self.u);
+        // ln(1 + u)/u is 1 to the last bit, and 0/0 at u = 0
+        DoubleDouble::select(self.u.hi < 1e-20, self.sin, slowed)
     }
 
     /// `r = sin α √(cos²α + G² sin²α) / q`

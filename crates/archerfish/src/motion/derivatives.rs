@@ -10,7 +10,7 @@
 //! and `d²α/dθ² = −θ″/θ′³ = cos α (w P − p Q) Q / P³`.
 
 use super::drag::Drag;
-use super::launch::{LARGE, Launch, SMALL, TINY, within_domain};
+use super::launch::{LARGE, Launch, SMALL, Scaled, TINY, within_domain};
 use super::locus::Elevated;
 use crate::real::double_double::DoubleDouble;
 use crate::real::select;
@@ -18,13 +18,16 @@ use crate::real::select;
 impl Elevated {
     /// `dα/dθ = Q/P`
     ///
-    /// On the locus cos α/cos θ is √Q.
+    /// On the locus cos α/cos θ is √Q and G is √Q sin θ/sin α; a is what then makes
+    /// `P = cos²α + G (sin²α − cos²α/q)`.
     #[inline(always)]
     fn launch_angle_d1(&self) -> DoubleDouble {
         let launch = self.launch();
-        let a = launch.a();
-        let slope = launch.gain(a).add(launch.cos.square().mul_double(a));
-        self.cos_ratio().square().div(slope)
+        let ratio = self.cos_ratio();
+        let gain = ratio.mul(self.sin_theta).div(launch.sin);
+        let (sin2, cos2) = (launch.sin.square(), launch.cos.square());
+        let slope = cos2.add(gain.mul(sin2.sub(cos2.div(launch.q()))));
+        ratio.square().div(slope)
     }
 }
 
@@ -54,7 +57,10 @@ impl Launch {
 /// 2 at θ = 0 for every drag; between 1/2 and 2 without drag.
 #[inline(always)]
 pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
-    within_domain(theta, eps, Elevated::new(theta, eps).launch_angle_d1().round())
+    // 2 at θ = 0, where the ratio of sines is 0/0
+    let Scaled { angle, epsilon, .. } = Scaled::new(theta, eps);
+    let regular = Elevated::new(angle, epsilon).launch_angle_d1().round();
+    within_domain(theta, eps, select(theta == 0.0, 2.0, regular))
 }
 
 /// Second derivative of the launch angle by the elevation, d²α/dθ².

@@ -12,9 +12,7 @@
 //! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
 use crate::real::double_double::{DoubleDouble, Number, fast_two_sum, two_sum};
-use crate::real::{
-    LN2_HI, LN2_LO, exponent_and_mantissa, nearest_integer, polynomial, power_of_two, select,
-};
+use crate::real::{LN2_HI, LN2_LO, exponent_and_mantissa, polynomial, power_of_two, select};
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
 // weighted error 1.36e-18: reference/coefficients.py artanh_tail
@@ -55,9 +53,9 @@ impl<T: Number> Drag<T> {
         let number = T::from_double;
         let q = plus(1.0, u);
         let (k, m) = exponent_and_mantissa(q.hi);
-        // 2⁻ᵏ in two halves: k reaches 1023, and 2⁻¹⁰²³ is not a normal number
-        let half = nearest_integer(0.5 * k);
-        let low = q.lo * power_of_two(-half) * power_of_two(half - k);
+        // beyond 2¹⁰⁰⁰ the power would not be normal; the rest is nothing, and τ is 1
+        let power = power_of_two(-select(k > 1000.0, 1000.0, k));
+        let low = q.lo * power;
         let f = T::from_pair(fast_two_sum(m - 1.0, low));
         let s = f / (number(2.0) + f);
         let square = s * s;
@@ -71,9 +69,7 @@ impl<T: Number> Drag<T> {
         let inverse = number(1.0) / denominator;
         let (sigma, sigma_rest) = (u * inverse, number(2.0) * inverse);
 
-        // τ is 1 to the last bit long before 2⁻ᵏ ceases to be a normal number
-        let power = number(power_of_two(-select(k > 1000.0, 1000.0, k)));
-        let tau = (number(1.0) - power) / (number(1.0) + power);
+        let tau = (number(1.0) - number(power)) / (number(1.0) + number(power));
         let half_k = number(0.5 * k);
         let first = (half_k * number(LN2_HI) - tau) + half_k * number(LN2_LO);
         let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESS), first);
@@ -109,12 +105,6 @@ impl<T: Number> Drag<T> {
     #[inline(always)]
     pub fn gain_rest(&self) -> T {
         (self.sigma_rest + self.sigma_plus_one() * self.a) * T::from_double(0.5)
-    }
-
-    /// `ln(1 + u)/u = (1 − σ)(1 + σ² ρ)`
-    #[inline(always)]
-    pub fn mean_slowness(&self) -> T {
-        self.sigma_rest * (T::from_double(1.0) + self.sigma * self.sigma * self.rho)
     }
 }
 

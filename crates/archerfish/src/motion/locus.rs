@@ -44,6 +44,7 @@ const ROUGH_ATAN: [f64; 5] = [
 
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
+    pub sin_theta: DoubleDouble,
     /// |cos θ|
     cos_theta: DoubleDouble,
     /// sin α and |cos α|
@@ -79,7 +80,7 @@ impl Elevated {
             fast_two_sum(along.hi, along.lo + change)
         };
         let (sin, cos) = (turn(sin, cos), turn(cos, sin.neg()));
-        Elevated { cos_theta, sin, cos, epsilon, mirrored, theta, beta, step }
+        Elevated { sin_theta, cos_theta, sin, cos, epsilon, mirrored, theta, beta, step }
     }
 
     /// The launch.

@@ -6,9 +6,7 @@
 //! rounded.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::{
-    LN2_HI, LN2_LO, exponent_and_significand, nearest_integer, polynomial, power_of_two, select,
-};
+use super::{LN2_HI, LN2_LO, exponent_and_significand, polynomial, power_of_two, select};
 
 // atanh_tail: minimax on [0.0, 0.0294402], degree 6,
 // weighted error 1.11e-18: reference/coefficients.py atanh_tail
@@ -38,9 +36,8 @@ impl Logarithm {
     #[inline(always)]
     pub fn of(w: DoubleDouble) -> Self {
         let (k, m) = exponent_and_significand(w.hi);
-        // 2⁻ᵏ in two halves: k reaches 1024, and 2⁻¹⁰²⁴ would not be a normal number
-        let half = nearest_integer(0.5 * k);
-        let low = w.lo * power_of_two(-half) * power_of_two(half - k);
+        // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside ln w
+        let low = w.lo * power_of_two(-select(k > 1000.0, 1000.0, k));
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
