@@ -20,9 +20,10 @@ impl Launch {
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
     fn time(&self) -> DoubleDouble {
-        let slowed = self.sin.mul(Logarithm::of(self.q()).value()).div(self.u);
-        // ln(1 + u)/u is 1 to the last bit, and 0/0 at u = 0
-        DoubleDouble::select(self.u.hi < 1e-20, self.sin, slowed)
+        let slowness = Logarithm::of(self.q()).value().div(self.u);
+        // 1 + u has forgotten the end of a u this small, and 0/0 is at u = 0
+        let first_order = fast_two_sum(1.0, -0.5 * self.u.hi);
+        self.sin.mul(DoubleDouble::select(self.u.hi < 1e-15, first_order, slowness))
     }
 
     /// `r = sin α √(cos²α + G² sin²α) / q`
