@@ -8,6 +8,8 @@
 //! objects), so nothing in them may touch Python; `python/tests/boundary/test_threads.py` watches
 //! two of them run at once.
 
+#[cfg(target_arch = "x86_64")]
+use std::arch::asm;
 use std::array;
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::slice;
@@ -20,6 +22,10 @@ use crate::kernel::{Kernel, MAX_INPUTS};
 
 /// Elements in a block: three blocks of `f64` take 6 KiB, well inside the first-level cache.
 const BLOCK: usize = 256;
+
+/// Elements in a block for operands no longer than that, for whom clearing 6 KiB would take longer
+/// than everything else.
+const SMALL: usize = 8;
 
 /// The loops of every ufunc, float32 first: NumPy takes the first to which the inputs cast safely.
 const LOOPS: [(NPY_TYPES, PyUFuncGenericFunction); 2] = [
@@ -207,18 +213,38 @@ unsafe extern "C" fn inner_loop<T: Element>(
     // SAFETY: the caller's promise; `k` is at most the number of inputs, the output's index.
     let operand = |k: usize| unsafe { Operand { start: *args.add(k), step: *steps.add(k) } };
     let used = kernel.inputs();
-    let inputs: [Operand; MAX_INPUTS] = array::from_fn(|k| operand(k.min(used - 1)));
-    let output = operand(used);
+    let inputs = array::from_fn(|k| operand(k.min(used - 1)));
+    // SAFETY: the caller's promise.
+    let nan_born = unsafe {
+        if count <= SMALL {
+            in_blocks::<T, SMALL>(kernel, count, inputs, operand(used))
+        } else {
+            in_blocks::<T, BLOCK>(kernel, count, inputs, operand(used))
+        }
+    };
+    flags.restore(nan_born);
+}
 
+/// Goes through `count` elements in blocks of `SIZE`, and says whether a NaN was born.
+///
+/// # Safety
+/// Each input has `count` readable, the output `count` writable elements of type `T`.
+unsafe fn in_blocks<T: Element, const SIZE: usize>(
+    kernel: Kernel,
+    count: usize,
+    inputs: [Operand; MAX_INPUTS],
+    output: Operand,
+) -> bool {
+    let used = kernel.inputs();
     let size = size_of::<T>();
     let apart = inputs.map(|input| input.is_apart_from(output, count, size));
     // An output that runs into an input out of step (`accumulate` and `reduce` do this) means
     // element by element, each seeing what the one before it wrote.
     let in_step = (0..used).all(|k| apart[k] || inputs[k].coincides_with(output, size));
-    let block = if in_step { BLOCK } else { 1 };
+    let block = if in_step { SIZE } else { 1 };
 
-    let mut copies = [[0.0; BLOCK]; MAX_INPUTS];
-    let mut results = [0.0; BLOCK];
+    let mut copies = [[0.0; SIZE]; MAX_INPUTS];
+    let mut results = [0.0; SIZE];
     let mut nan_born = false;
     for first in (0..count).step_by(block) {
         let n = block.min(count - first);
@@ -248,15 +274,41 @@ unsafe extern "C" fn inner_loop<T: Element>(
             unsafe { output.scatter::<T>(first, out) };
         }
     }
-    flags.restore(nan_born);
+    nan_born
 }
 
 /// The floating-point flags as they stood before a loop.
 ///
 /// Branch-free kernels compute both sides of every choice and leave flags that mean nothing; but
 /// flags raised before this call are NumPy's (a cast, an earlier stretch of the same array).
+#[cfg(target_arch = "x86_64")]
+struct RaisedFlags(u32);
+
+// The C library's functions (below) also go through the x87 unit, which Rust never uses, and that
+// takes as long as NumPy needs for a whole call.
+#[cfg(target_arch = "x86_64")]
+impl RaisedFlags {
+    fn now() -> Self {
+        let mut status = 0_u32;
+        // SAFETY: writes the control and status register to `status`, nothing else.
+        unsafe { asm!("stmxcsr [{}]", in(reg) &mut status, options(nostack, preserves_flags)) };
+        Self(status)
+    }
+
+    /// Puts the flags back, with `invalid` added where a NaN was born.
+    fn restore(self, nan_born: bool) {
+        const INVALID: u32 = 1;
+        let status = if nan_born { self.0 | INVALID } else { self.0 };
+        // SAFETY: reads `status` into the register, whose control bits stay as they were; its flags
+        // are read by Rust code nowhere, and no trap is enabled in a Python process.
+        unsafe { asm!("ldmxcsr [{}]", in(reg) &status, options(nostack)) };
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
 struct RaisedFlags(c_int);
 
+#[cfg(not(target_arch = "x86_64"))]
 impl RaisedFlags {
     fn now() -> Self {
         // SAFETY: reads this thread's floating-point status, nothing else.
@@ -278,18 +330,22 @@ impl RaisedFlags {
 }
 
 // C's <fenv.h>: the flags are macros, so their values are written out here.
-#[cfg(not(windows))]
+#[cfg(all(not(target_arch = "x86_64"), not(windows)))]
 const FE_INVALID: c_int = 0x01;
-#[cfg(windows)]
+#[cfg(all(not(target_arch = "x86_64"), windows))]
 const FE_INVALID: c_int = 0x10;
-#[cfg(all(not(windows), any(target_arch = "x86_64", target_arch = "x86")))]
+#[cfg(target_arch = "x86")]
 const FE_ALL_EXCEPT: c_int = 0x3d;
-#[cfg(not(all(not(windows), any(target_arch = "x86_64", target_arch = "x86"))))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "x86")))]
 const FE_ALL_EXCEPT: c_int = 0x1f;
 
+#[cfg(not(target_arch = "x86_64"))]
 #[cfg_attr(unix, link(name = "m"))]
 unsafe extern "C" {
     fn fetestexcept(flags: c_int) -> c_int;
     fn feclearexcept(flags: c_int) -> c_int;
     fn feraiseexcept(flags: c_int) -> c_int;
 }
+
+#[cfg(test)]
+mod tests;
