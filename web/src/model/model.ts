@@ -1,0 +1,133 @@
+/** Everything drawn and read out for a state: the kernels' values, computed once each. */
+
+import { type Apex, type Point, Shots } from "./apex.ts";
+import { AngleGrid, LocusCurves, POINTS } from "./curves.ts";
+import { Envelope, fanAngles, FAN_ANGLES, FAN_HALF, Flights, SHOT_HALF } from "./flights.ts";
+import { linspace, type Kernels } from "./kernels.ts";
+import { NamedAngleSolver, type NamedAngles } from "./named.ts";
+import { radians } from "./numbers.ts";
+import { PrincipalBranch } from "./principal.ts";
+import { MOST_COMPARED, scales, type Layer, type Scales, type State } from "./state.ts";
+
+/** Powers of ten between which the named angles are drawn, and how finely. */
+export const NAMED_DECADES = [-3, 3] as const;
+const NAMED_POINTS = 121;
+
+/** What a frame is drawn from. Lengths in ρ, times in V₀/g, angles in radians. */
+export interface Scene {
+  readonly state: State;
+  readonly scales: Scales;
+  readonly apex: Apex;
+  /** dα/dθ and d²α/dθ² at the apex. */
+  readonly slopes: readonly [number, number];
+  readonly flightTime: number;
+  /** r̃ of the drag-free locus at the elevation of the apex. */
+  readonly freeRadius: number;
+  /** Time since launch, not past the landing. */
+  readonly time: number;
+  readonly position: Point;
+  /** Longest range of all shots. */
+  readonly reach: number;
+  /** Height of the highest apex. */
+  readonly top: number;
+  readonly locus: LocusCurves;
+  readonly dragFree: LocusCurves;
+  readonly compared: readonly LocusCurves[];
+}
+
+export class Model {
+  readonly grid: AngleGrid;
+  readonly shots: Shots;
+  readonly #locus: LocusCurves;
+  readonly #dragFree: LocusCurves;
+  readonly #compared: readonly LocusCurves[];
+  readonly #fan: Flights;
+  readonly #shot: Flights;
+  readonly #envelope: Envelope;
+  readonly #principal: PrincipalBranch;
+  readonly #namedHere: NamedAngleSolver;
+  readonly #kernels: Kernels;
+  #named: { epsilon: number; angles: NamedAngles } | undefined;
+  #namedCurves: { decades: Float64Array; angles: NamedAngles } | undefined;
+  #atEpsilon: { epsilon: number; reach: number; top: number } = { epsilon: NaN, reach: 0, top: 0 };
+
+  constructor(kernels: Kernels) {
+    this.#kernels = kernels;
+    this.grid = new AngleGrid(kernels);
+    this.shots = new Shots(kernels);
+    this.#locus = new LocusCurves(kernels, this.grid);
+    this.#dragFree = new LocusCurves(kernels, this.grid).update(0);
+    this.#compared = Array.from({ length: MOST_COMPARED }, () => new LocusCurves(kernels, this.grid));
+    this.#fan = new Flights(kernels, FAN_ANGLES.length, FAN_HALF);
+    this.#shot = new Flights(kernels, 1, SHOT_HALF);
+    this.#envelope = new Envelope(kernels, POINTS);
+    this.#principal = new PrincipalBranch(kernels, POINTS);
+    this.#namedHere = new NamedAngleSolver(kernels, 1);
+  }
+
+  scene(state: State): Scene {
+    const scale = scales(state);
+    const { epsilon } = scale;
+    const launchAngle = radians(state.angle);
+    const apex = this.shots.apex(launchAngle, epsilon);
+    const flightTime = this.shots.flightTime(launchAngle, epsilon);
+    const time = Math.min(state.time / scale.time, flightTime);
+    if (epsilon !== this.#atEpsilon.epsilon) {
+      const reach = this.shots.range(this.shots.optimalAngle(epsilon), epsilon);
+      const top = this.shots.apex(Math.PI / 2, epsilon).y;
+      this.#atEpsilon = { epsilon, reach, top };
+    }
+    return {
+      state,
+      scales: scale,
+      apex,
+      slopes: this.shots.slopes(apex.elevation, epsilon),
+      flightTime,
+      freeRadius: this.shots.radius(apex.elevation, 0),
+      time,
+      position: this.shots.position(time, launchAngle, epsilon),
+      reach: this.#atEpsilon.reach,
+      top: this.#atEpsilon.top,
+      locus: this.#locus.update(epsilon),
+      dragFree: this.#dragFree,
+      compared: state.compare.map((other, index) => this.#compared[index].update(other)),
+    };
+  }
+
+  fan(epsilon: number): Flights {
+    return this.#fan.update(fanAngles(), epsilon);
+  }
+
+  shot({ apex, scales: { epsilon } }: Scene): Flights {
+    return this.#shot.update([apex.launchAngle], epsilon);
+  }
+
+  envelope({ reach, scales: { epsilon } }: Scene): Envelope {
+    return this.#envelope.update(epsilon, reach);
+  }
+
+  /** The principal branch's curve and how many of its points are wrong. */
+  principal(locus: LocusCurves): { curve: PrincipalBranch; count: number } {
+    return { count: this.#principal.update(locus), curve: this.#principal };
+  }
+
+  /** The named angles of one drag parameter. */
+  named(epsilon: number): NamedAngles {
+    if (this.#named?.epsilon !== epsilon) {
+      this.#named = { epsilon, angles: this.#namedHere.solve([epsilon]) };
+    }
+    return this.#named.angles;
+  }
+
+  /** The named angles over the decades of ε. */
+  namedCurves(): { decades: Float64Array; angles: NamedAngles } {
+    if (!this.#namedCurves) {
+      const decades = linspace(...NAMED_DECADES, NAMED_POINTS);
+      const angles = new NamedAngleSolver(this.#kernels, NAMED_POINTS).solve(decades.map((d) => 10 ** d));
+      this.#namedCurves = { decades, angles };
+    }
+    return this.#namedCurves;
+  }
+}
+
+export const shows = (state: State, layer: Layer): boolean => state.layers.includes(layer);

@@ -1,0 +1,256 @@
+/** All views of one store, drawn together once a frame. */
+
+import { NAMED, type NamedAngle } from "../model/named.ts";
+import { type Model, type Scene } from "../model/model.ts";
+import { degrees, short } from "../model/numbers.ts";
+import { dragSaidAs, type Store } from "../model/state.ts";
+import { toCsv, toPython, toWords } from "../model/text.ts";
+import { toHash } from "../model/url.ts";
+import { Controls } from "./controls.ts";
+import { byId, lineSample, make, setText } from "./dom.ts";
+import { Formulas } from "./formulas.ts";
+import { follow, Handle } from "./handles.ts";
+import { bendPanel, curvaturePanel, elevationPanel, NamedPanel, type Panel, slopePanel, type Wish } from "./linked_panels.ts";
+import { MainPanel } from "./main_panel.ts";
+import { namedStroke, palette, type Palette } from "./palette.ts";
+import { Player } from "./player.ts";
+import { Readout } from "./readout.ts";
+import { Tables } from "./tables.ts";
+import { TakeAway } from "./take_away.ts";
+
+/** Steps of arrow keys and page keys on a handle, degrees; and in ε, positions of its slider. */
+const ANGLE_STEPS = [0.5, 5] as const;
+const EPSILON_STEPS = [1, 10] as const;
+/** Text that is read aloud, the address and the tables follow when the hand rests, ms. */
+const REST = 250;
+
+export class Explorer {
+  readonly #store: Store;
+  readonly #model: Model;
+  readonly #main: MainPanel;
+  readonly #panels: readonly Panel[];
+  readonly #controls: Controls;
+  readonly #player: Player;
+  readonly #readout: Readout;
+  readonly #formulas: Formulas;
+  readonly #tables: Tables;
+  readonly #handles: { apex: Handle; direction: Handle };
+  readonly #cursors: readonly Handle[];
+  readonly #dark = matchMedia("(prefers-color-scheme: dark)");
+  #colors: Palette;
+  #asked = false;
+  #rest = 0;
+
+  constructor(store: Store, model: Model) {
+    this.#store = store;
+    this.#model = model;
+    this.#applyTheme();
+    this.#colors = palette();
+    this.#main = new MainPanel(byId("main-panel"), model, this.#colors);
+    this.#panels = [
+      elevationPanel(byId("elevation-panel"), this.#colors),
+      slopePanel(byId("slope-panel"), this.#colors),
+      bendPanel(byId("bend-panel"), this.#colors),
+      curvaturePanel(byId("curvature-panel"), this.#colors),
+      new NamedPanel(byId("named-panel"), model, this.#colors),
+    ];
+    const complain = (sentence: string | undefined): void => this.complain(sentence);
+    this.#controls = new Controls(store, complain);
+    this.#player = new Player(store);
+    this.#readout = new Readout(() => this.#ask());
+    this.#formulas = new Formulas();
+    this.#tables = new Tables(model);
+    this.#handles = this.#mainHandles();
+    this.#cursors = this.#panels.map((panel) => this.#cursor(panel));
+    this.#takeAway(complain);
+    this.#namedLegend();
+    byId("message").querySelector("button")?.addEventListener("click", () => this.complain(undefined));
+    store.listen((state, before) => {
+      if (state.theme !== before.theme) this.#recolor();
+      this.#ask();
+    });
+    this.#dark.addEventListener("change", () => this.#recolor());
+    new ResizeObserver(() => this.#ask()).observe(document.body);
+    this.#draw();
+  }
+
+  /** Shows a sentence above the page, or none. */
+  complain(sentence: string | undefined): void {
+    const message = byId("message");
+    message.hidden = sentence === undefined;
+    const place = message.querySelector("p");
+    if (place) setText(place, sentence ?? "");
+  }
+
+  /** One frame for all changes since the last. */
+  #ask(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    this.#asked = false;
+    performance.mark("compute");
+    const scene = this.#model.scene(this.#store.state);
+    performance.mark("draw");
+    const charts = [this.#main.chart, ...this.#panels.map((panel) => panel.chart)];
+    for (const chart of charts) chart.measure();
+    this.#main.draw(scene);
+    for (const panel of this.#panels) panel.draw(scene);
+    this.#placeHandles(scene);
+    this.#controls.show(scene, this.#colors);
+    this.#player.show(scene);
+    this.#readout.show(scene);
+    this.#formulas.show(scene);
+    clearTimeout(this.#rest);
+    this.#rest = window.setTimeout(() => this.#settle(scene), REST);
+    performance.mark("drawn");
+  }
+
+  #settle(scene: Scene): void {
+    setText(byId("summary-text"), toWords(scene));
+    const code = byId("python-line").querySelector("code");
+    if (code) setText(code, toPython(scene));
+    this.#tables.show(scene);
+    history.replaceState(null, "", `#${toHash(scene.state)}`);
+  }
+
+  #placeHandles(scene: Scene): void {
+    const { state, apex, scales } = scene;
+    const { apex: atApex, direction } = this.#main.places(scene);
+    const elevation = degrees(apex.elevation);
+    const where = `${short(apex.x * scales.length, 4)} m away, ${short(apex.y * scales.length, 4)} m high`;
+    this.#handles.apex.place(atApex, elevation, `elevation ${short(elevation, 4)} degrees, ${where}`);
+    this.#handles.direction.place(direction, state.angle, `launch angle ${short(state.angle, 5)} degrees`);
+    this.#panels.forEach((panel, index) => {
+      const [value, text] =
+        panel instanceof NamedPanel
+          ? [scales.epsilon, `epsilon ${short(scales.epsilon)}`]
+          : [state.angle, `launch angle ${short(state.angle, 5)} degrees`];
+      this.#cursors[index].place(panel.place(scene), value, text);
+    });
+  }
+
+  #wish(wish: Wish): void {
+    const state = this.#store.state;
+    if ("epsilon" in wish) {
+      const { dragKind, drag } = dragSaidAs(state.dragKind, { ...dragSaidAs("epsilon", state), drag: wish.epsilon });
+      this.#store.change({ dragKind, drag });
+      return;
+    }
+    const launchAngle =
+      "launchAngle" in wish
+        ? wish.launchAngle
+        : this.#model.shots.launchAngle(Math.min(Math.PI / 2, Math.max(0, wish.elevation)), this.#scales.epsilon);
+    this.#store.change({ angle: Math.min(90, Math.max(0, Number(degrees(launchAngle).toFixed(3)))) });
+  }
+
+  get #scales(): Scene["scales"] {
+    return this.#model.scene(this.#store.state).scales;
+  }
+
+  /** Moves the launch angle by keys. */
+  #turn(by: number): void {
+    this.#wish({ launchAngle: ((this.#store.state.angle + by) * Math.PI) / 180 });
+  }
+
+  #turnTo(which: "first" | "last"): void {
+    this.#store.change({ angle: which === "first" ? 0 : 90 });
+  }
+
+  #mainHandles(): { apex: Handle; direction: Handle } {
+    const { chart } = this.#main;
+    const keys = {
+      max: 90,
+      steps: ANGLE_STEPS,
+      move: (by: number) => this.#turn(by),
+      end: (which: "first" | "last") => this.#turnTo(which),
+    };
+    const direction = new Handle(chart.handles, { label: "Launch direction", kind: "direction", ...keys });
+    const apex = new Handle(chart.handles, { label: "Apex of the shot", kind: "apex", ...keys });
+    follow(chart.host, (event) => {
+      // On the plot itself: whichever of the two is nearer, but a finger there scrolls the page.
+      const onHandle = event.target instanceof Element && event.target.closest(".handle");
+      if (!onHandle && event.pointerType === "touch") return undefined;
+      const places = this.#main.places(this.#model.scene(this.#store.state));
+      const { x, y } = chart.pixels(event);
+      const far = ([left, top]: [number, number]): number => Math.hypot(x - left, y - top);
+      const dragsDirection = onHandle
+        ? onHandle === direction.element
+        : far(places.direction) < far(places.apex);
+      if (!onHandle) (dragsDirection ? direction : apex).element.focus({ preventScroll: true });
+      return (now) => {
+        const at = chart.at(now);
+        const angle = Math.atan2(Math.max(0, at.y), Math.max(0, at.x));
+        this.#wish(dragsDirection ? { launchAngle: angle } : { elevation: angle });
+      };
+    });
+    return { apex, direction };
+  }
+
+  #cursor(panel: Panel): Handle {
+    const drag = panel instanceof NamedPanel;
+    const slider = byId<HTMLInputElement>("drag-slider");
+    const stepDrag = (by: number): void => {
+      slider.value = String(Number(slider.value) + by);
+      slider.dispatchEvent(new Event("input"));
+    };
+    follow(panel.chart.host, (event) => {
+      const onHandle = event.target instanceof Element && event.target.closest(".handle");
+      if (!onHandle && event.pointerType === "touch") return undefined;
+      return (now) => {
+        const x = panel.chart.at(now).x;
+        const [first = 0, last = 90] = panel.chart.x.domain();
+        this.#wish(panel.wish(Math.min(last, Math.max(first, x)), this.#model.scene(this.#store.state)));
+      };
+    });
+    return new Handle(panel.chart.handles, {
+      label: `${panel.name}: cursor`,
+      kind: "cursor",
+      max: drag ? 1000 : 90,
+      steps: drag ? EPSILON_STEPS : ANGLE_STEPS,
+      move: (by) => (drag ? stepDrag(by) : this.#turn(by)),
+      end: (which) => (drag ? stepDrag(which === "first" ? -Infinity : Infinity) : this.#turnTo(which)),
+    });
+  }
+
+  #takeAway(complain: (sentence: string | undefined) => void): void {
+    const scene = (): Scene => this.#model.scene(this.#store.state);
+    const view = {
+      charts: [this.#main.chart, ...this.#panels.map((panel) => panel.chart)] as const,
+      caption: () => {
+        const { state, scales } = scene();
+        return (
+          `V₀ = ${short(state.speed, 5)} m/s, g = ${short(state.gravity, 6)} m/s², ε = ${short(scales.epsilon, 5)}, ` +
+          `α = ${short(state.angle, 5)}°. archerfish`
+        );
+      },
+      csv: () => toCsv(scene(), scene().locus.distances()),
+      python: () => toPython(scene()),
+      link: () => `${location.href.split("#")[0]}#${toHash(this.#store.state)}`,
+    };
+    new TakeAway(view as never, complain);
+  }
+
+  #namedLegend(): void {
+    const items = (Object.keys(NAMED) as NamedAngle[]).map((name, index) =>
+      make("li", {}, lineSample(namedStroke(this.#colors, index)), NAMED[name]),
+    );
+    byId("named-legend").replaceChildren(...items);
+  }
+
+  #applyTheme(): void {
+    const { theme } = this.#store.state;
+    document.documentElement.dataset["theme"] = theme === "auto" ? (this.#dark.matches ? "dark" : "light") : theme;
+  }
+
+  #recolor(): void {
+    this.#applyTheme();
+    this.#colors = palette();
+    for (const chart of [this.#main.chart, ...this.#panels.map((panel) => panel.chart)]) chart.recolor(this.#colors);
+    this.#namedLegend();
+    this.#ask();
+  }
+}
+

@@ -1,0 +1,84 @@
+/** What can be taken hold of in a chart: a knob that mouse, finger and keys move. */
+
+const SVG = "http://www.w3.org/2000/svg";
+
+export interface HandleOptions {
+  readonly label: string;
+  readonly kind: string;
+  readonly max: number;
+  /** Steps of the arrow keys and of Page Up and Page Down. */
+  readonly steps: readonly [number, number];
+  /** Moves by some steps' worth, or to an end. */
+  readonly move: (by: number) => void;
+  readonly end: (which: "first" | "last") => void;
+}
+
+/** A knob: a slider to assistive technology. */
+export class Handle {
+  readonly element: SVGGElement;
+
+  constructor(parent: SVGGElement, { label, kind, max, steps, move, end }: HandleOptions) {
+    this.element = document.createElementNS(SVG, "g");
+    for (const name of ["reach", "knob"]) {
+      const circle = document.createElementNS(SVG, "circle");
+      circle.setAttribute("class", name);
+      circle.setAttribute("r", name === "reach" ? "15" : kind === "cursor" ? "4.5" : "7.5");
+      this.element.append(circle);
+    }
+    const attributes = {
+      class: `handle ${kind}`,
+      role: "slider",
+      tabindex: "0",
+      "aria-label": label,
+      "aria-valuemin": "0",
+      "aria-valuemax": String(max),
+    };
+    for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
+    this.element.addEventListener("keydown", (event) => {
+      const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+      const page = { PageUp: 1, PageDown: -1 }[event.key];
+      if (by) move(by * steps[0]);
+      else if (page) move(page * steps[1]);
+      else if (event.key === "Home") end("first");
+      else if (event.key === "End") end("last");
+      else return;
+      event.preventDefault();
+    });
+    parent.append(this.element);
+  }
+
+  place([x, y]: readonly [number, number], value: number, text: string): void {
+    this.element.setAttribute("transform", `translate(${x.toFixed(2)},${y.toFixed(2)})`);
+    this.element.setAttribute("aria-valuenow", String(value));
+    this.element.setAttribute("aria-valuetext", text);
+  }
+}
+
+/**
+ * Follows a pointer that is pressed on the plot or on a handle in it, until it is released.
+ *
+ * A finger on the plot itself scrolls the page; on a handle it drags.
+ */
+export function follow(
+  host: HTMLElement,
+  start: (event: PointerEvent) => ((event: PointerEvent) => void) | undefined,
+): void {
+  host.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    const move = start(event);
+    if (!move) return;
+    host.setPointerCapture(event.pointerId);
+    move(event);
+    if (event.pointerType === "mouse") event.preventDefault();
+    const handle = event.target instanceof Element ? event.target.closest<SVGGElement>(".handle") : null;
+    handle?.focus();
+    const stop = (): void => {
+      host.removeEventListener("pointermove", move);
+      host.removeEventListener("pointerup", stop);
+      host.removeEventListener("pointercancel", stop);
+    };
+    host.addEventListener("pointermove", move);
+    host.addEventListener("pointerup", stop);
+    host.addEventListener("pointercancel", stop);
+  });
+}

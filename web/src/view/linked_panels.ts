@@ -1,0 +1,236 @@
+/** The small panels: each a curve of the locus with the cursor of the current shot on it. */
+
+import { NAMED, type NamedAngle } from "../model/named.ts";
+import { NAMED_DECADES, type Model, type Scene } from "../model/model.ts";
+import { type LocusCurves } from "../model/curves.ts";
+import { degrees, radians, superscript } from "../model/numbers.ts";
+import { Chart, type Axis, type Extent } from "./chart.ts";
+import { type Painter } from "./painter.ts";
+import { compareStroke, DASHES, namedStroke, type Palette } from "./palette.ts";
+import { stepAbove } from "./main_panel.ts";
+
+/** What a pointer or key in a panel asks for. */
+export type Wish = { readonly launchAngle: number } | { readonly elevation: number } | { readonly epsilon: number };
+
+export interface Panel {
+  readonly chart: Chart;
+  /** What the panel shows, for those who do not see it. */
+  readonly name: string;
+  draw(scene: Scene): void;
+  /** Where the cursor's handle belongs, in pixels. */
+  place(scene: Scene): [number, number];
+  /** What a pointer at this abscissa asks for. */
+  wish(x: number, scene: Scene): Wish;
+}
+
+const ANGLE_TICKS = [0, 30, 60, 90];
+const TO_DEGREES = degrees(1);
+const angleAxis = (label: string): Axis => ({ label, ticks: ANGLE_TICKS });
+
+interface CurvePanelOptions {
+  readonly name: string;
+  readonly x: Axis;
+  readonly y: Axis;
+  readonly leftMargin: number;
+  /** Abscissae and ordinates of a locus, in the units of the axes once multiplied. */
+  readonly xs: (locus: LocusCurves, scene: Scene) => ArrayLike<number>;
+  readonly ys: (locus: LocusCurves) => ArrayLike<number>;
+  readonly xScale?: (scene: Scene) => number;
+  readonly yScale?: number;
+  readonly yExtent: (curves: readonly LocusCurves[]) => readonly [number, number];
+  readonly cursor: (scene: Scene) => readonly [number, number];
+  readonly wish: (x: number, scene: Scene) => Wish;
+  readonly xLabel?: (scene: Scene) => string;
+}
+
+/** A quantity of the locus against an angle. */
+class CurvePanel implements Panel {
+  readonly chart: Chart;
+  readonly name: string;
+  readonly #options: CurvePanelOptions;
+
+  constructor(host: HTMLElement, colors: Palette, options: CurvePanelOptions) {
+    this.#options = options;
+    this.name = options.name;
+    this.chart = new Chart(host, colors, { title: options.name, ...options });
+  }
+
+  draw(scene: Scene): void {
+    const { xs, ys, xScale, yScale = 1, yExtent, xLabel, cursor } = this.#options;
+    const { chart } = this;
+    const { locus, dragFree, compared } = scene;
+    const extent: Extent = { x: [0, 90], y: yExtent([locus, dragFree, ...compared]) };
+    chart.frame(extent, xLabel ? { x: xLabel(scene) } : {});
+    const key = [locus.version, compared.map(({ epsilon }) => epsilon), scene.state.curvatureBy].join(" ");
+    const base = (painter: Painter): void => {
+      const scale = { xScale: xScale?.(scene) ?? 1, yScale };
+      const { colors } = chart;
+      painter.stroke({ color: colors.ellipse, width: 1.4, dash: DASHES.ellipse }, (pen) =>
+        chart.curve(pen, xs(dragFree, scene), ys(dragFree), scale),
+      );
+      compared.forEach((other, index) =>
+        painter.stroke(compareStroke(colors, index), (pen) => chart.curve(pen, xs(other, scene), ys(other), scale)),
+      );
+      painter.stroke({ color: colors.locus, width: 2 }, (pen) =>
+        chart.curve(pen, xs(locus, scene), ys(locus), scale),
+      );
+    };
+    const live = (painter: Painter): void => {
+      const [x, y] = cursor(scene);
+      painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
+        chart.rule(pen, x, extent.y[0], x, extent.y[1]);
+        chart.rule(pen, 0, y, x, y);
+      });
+    };
+    chart.draw(key, base, live);
+  }
+
+  place(scene: Scene): [number, number] {
+    const [x, y] = this.#options.cursor(scene);
+    return [this.chart.x(x), this.chart.y(y)];
+  }
+
+  wish(x: number, scene: Scene): Wish {
+    return this.#options.wish(x, scene);
+  }
+}
+
+/** Frames that hold still while their curves move a little, and end on round numbers. */
+function roundExtent(low: number, high: number): readonly [number, number] {
+  return [low < 0 ? -stepAbove(-low * 1.02) : 0, high > 0 ? stepAbove(high * 1.02) : 0];
+}
+
+function extremes(curves: readonly ArrayLike<number>[]): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const values of curves) {
+    for (let index = 0; index < values.length; index += 1) {
+      const value = values[index];
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return [low, high];
+}
+
+const byElevation = (x: number): Wish => ({ elevation: radians(x) });
+
+export function elevationPanel(host: HTMLElement, colors: Palette): Panel {
+  return new CurvePanel(host, colors, {
+    name: "Elevation of the apex against launch angle",
+    x: angleAxis("launch angle α (°)"),
+    y: { label: "elevation θ (°)", ticks: ANGLE_TICKS },
+    leftMargin: 2.5,
+    xs: (locus) => locus.grid.degrees,
+    ys: (locus) => locus.elevation,
+    yScale: TO_DEGREES,
+    yExtent: () => [0, 90],
+    cursor: ({ state, apex }) => [state.angle, degrees(apex.elevation)],
+    wish: (x) => ({ launchAngle: radians(x) }),
+  });
+}
+
+export function slopePanel(host: HTMLElement, colors: Palette): Panel {
+  return new CurvePanel(host, colors, {
+    name: "First derivative of the launch angle by elevation",
+    x: angleAxis("elevation θ (°)"),
+    y: { label: "dα/dθ" },
+    leftMargin: 2.8,
+    xs: (locus) => locus.grid.degrees,
+    ys: (locus) => locus.launchAngleD1,
+    yExtent: (curves) => [0, Math.max(2.2, extremes(curves.map((c) => c.launchAngleD1))[1] * 1.05)],
+    cursor: ({ apex, slopes }) => [degrees(apex.elevation), slopes[0]],
+    wish: byElevation,
+  });
+}
+
+export function bendPanel(host: HTMLElement, colors: Palette): Panel {
+  return new CurvePanel(host, colors, {
+    name: "Second derivative of the launch angle by elevation",
+    x: angleAxis("elevation θ (°)"),
+    y: { label: "d²α/dθ²" },
+    leftMargin: 3.4,
+    xs: (locus) => locus.grid.degrees,
+    ys: (locus) => locus.launchAngleD2,
+    yExtent: (curves) => roundExtent(...extremes(curves.map((c) => c.launchAngleD2))),
+    cursor: ({ apex, slopes }) => [degrees(apex.elevation), slopes[1]],
+    wish: byElevation,
+  });
+}
+
+export function curvaturePanel(host: HTMLElement, colors: Palette): Panel {
+  const byLaunch = (scene: Scene): boolean => scene.state.curvatureBy === "launch_angle";
+  return new CurvePanel(host, colors, {
+    name: "Curvature of the locus",
+    x: angleAxis("launch angle α (°)"),
+    y: { label: "curvature ρK" },
+    leftMargin: 3.2,
+    xs: (locus, scene) => (byLaunch(scene) ? locus.grid.degrees : locus.elevation),
+    xScale: (scene) => (byLaunch(scene) ? 1 : TO_DEGREES),
+    ys: (locus) => locus.curvature,
+    yExtent: (curves) => roundExtent(0, extremes(curves.map((c) => c.curvature))[1]),
+    cursor: (scene) => [
+      byLaunch(scene) ? scene.state.angle : degrees(scene.apex.elevation),
+      scene.apex.curvature,
+    ],
+    wish: (x, scene) => (byLaunch(scene) ? { launchAngle: radians(x) } : byElevation(x)),
+    xLabel: (scene) => (byLaunch(scene) ? "launch angle α (°)" : "elevation θ (°)"),
+  });
+}
+
+/** The named angles against ε on a logarithmic axis; its cursor is the drag. */
+export class NamedPanel implements Panel {
+  readonly chart: Chart;
+  readonly name = "Named launch angles against the drag parameter";
+  readonly #model: Model;
+
+  constructor(host: HTMLElement, model: Model, colors: Palette) {
+    this.#model = model;
+    const [low, high] = NAMED_DECADES;
+    this.chart = new Chart(host, colors, {
+      title: this.name,
+      x: {
+        label: "drag parameter ε",
+        ticks: Array.from({ length: high - low + 1 }, (_, index) => low + index).filter((d) => d % 1 === 0),
+        format: (decade) => (decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`),
+      },
+      y: { label: "launch angle α (°)", ticks: ANGLE_TICKS },
+      leftMargin: 2.5,
+    });
+  }
+
+  draw(scene: Scene): void {
+    const { chart } = this;
+    chart.frame({ x: NAMED_DECADES, y: [0, 90] });
+    const base = (painter: Painter): void => {
+      const { decades, angles } = this.#model.namedCurves();
+      (Object.keys(NAMED) as NamedAngle[]).forEach((name, index) =>
+        painter.stroke(namedStroke(chart.colors, index), (pen) =>
+          chart.curve(pen, decades, angles[name], { yScale: TO_DEGREES }),
+        ),
+      );
+    };
+    const live = (painter: Painter): void => {
+      const x = this.#decade(scene);
+      painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
+        chart.rule(pen, x, 0, x, 90);
+        chart.rule(pen, NAMED_DECADES[0], scene.state.angle, x, scene.state.angle);
+      });
+    };
+    chart.draw("named", base, live);
+  }
+
+  place(scene: Scene): [number, number] {
+    return [this.chart.x(this.#decade(scene)), this.chart.y(scene.state.angle)];
+  }
+
+  /** Left of the axis lies no drag at all. */
+  wish(x: number): Wish {
+    const [low, high] = NAMED_DECADES;
+    return { epsilon: x <= low ? 0 : Number((10 ** Math.min(x, high)).toPrecision(3)) };
+  }
+
+  #decade({ scales: { epsilon } }: Scene): number {
+    const [low, high] = NAMED_DECADES;
+    return Math.min(high, Math.max(low, Math.log10(epsilon)));
+  }
+}

@@ -1,0 +1,247 @@
+/** The main panel: the shots, the locus of their apexes, and what can be laid over them. */
+
+import { shows, type Model, type Scene } from "../model/model.ts";
+import { lengthUnit, short } from "../model/numbers.ts";
+import { Chart } from "./chart.ts";
+import { type Painter, type Stroke } from "./painter.ts";
+import { compareStroke, DASHES, type Palette } from "./palette.ts";
+
+/** Teeth of the curvature comb. */
+const TEETH = 90;
+/** Length of the arrow of the launch direction, as a part of the plot's height. */
+const ARROW = 0.3;
+
+interface Entry {
+  readonly label: string;
+  readonly stroke: Stroke;
+}
+
+export class MainPanel {
+  readonly chart: Chart;
+  readonly #model: Model;
+  /** Metres of the unit on the axes. */
+  #metres = 1;
+
+  constructor(host: HTMLElement, model: Model, colors: Palette) {
+    this.#model = model;
+    this.chart = new Chart(host, colors, {
+      title: "Trajectories and the locus of their apexes",
+      x: { label: "distance x (m)" },
+      y: { label: "height y (m)" },
+      leftMargin: 3.4,
+    });
+  }
+
+  /** Draws the scene; `drawn` is how many times the locus was computed. */
+  draw(scene: Scene): void {
+    this.#frame(scene);
+    const { state, locus, scales } = scene;
+    const key = [
+      locus.version,
+      scales.length,
+      state.layers,
+      scene.compared.map(({ epsilon }) => epsilon),
+      this.chart.width,
+    ].join(" ");
+    this.chart.draw(
+      key,
+      (painter) => this.#base(painter, scene),
+      (painter) => this.#live(painter, scene),
+    );
+  }
+
+  /** Where the handles belong, in pixels: the apex, and the tip of the arrow. */
+  places({ apex, scales }: Scene): { apex: [number, number]; direction: [number, number] } {
+    const { chart } = this;
+    const unit = scales.length / this.#metres;
+    const length = ARROW * chart.plot.height;
+    return {
+      apex: [chart.x(apex.x * unit), chart.y(apex.y * unit)],
+      direction: [
+        chart.x(0) + length * Math.cos(apex.launchAngle),
+        chart.y(0) - length * Math.sin(apex.launchAngle),
+      ],
+    };
+  }
+
+  #frame(scene: Scene): void {
+    const { state, scales, reach, top } = scene;
+    const { width, height } = this.chart.plot;
+    const fit = state.frame === "fit";
+    const wide = fit ? 1.03 * reach : 1.03;
+    const high = fit ? 1.08 * top : 0.535;
+    const perPixel = Math.max(wide / width, high / height);
+    // Steps of a tenth of a decade or so: the frame stands still while the curves move in it.
+    const step = fit ? stepAbove(perPixel * width) / width : perPixel;
+    const [unit, metres] = lengthUnit(0.5 * step * width * scales.length);
+    this.#metres = metres;
+    const extent = {
+      x: [0, (step * width * scales.length) / metres],
+      y: [0, (step * height * scales.length) / metres],
+    } as const;
+    this.chart.frame(extent, { x: `distance x (${unit})`, y: `height y (${unit})` });
+  }
+
+  #base(painter: Painter, scene: Scene): void {
+    const { chart } = this;
+    const { state, scales, locus, dragFree, compared } = scene;
+    const { colors } = chart;
+    const scale = { xScale: scales.length / this.#metres, yScale: scales.length / this.#metres };
+    const entries: Entry[] = [{ label: `locus, ε = ${short(scales.epsilon, 4)}`, stroke: { color: colors.locus, width: 2.6 } }];
+    if (shows(state, "fan")) {
+      const stroke = { color: colors.ink, width: 0.8, opacity: 0.45 };
+      const fan = this.#model.fan(scales.epsilon);
+      painter.stroke(stroke, (pen) => {
+        for (let shot = 0; shot < fan.shots; shot += 1) {
+          const from = shot * fan.samples;
+          chart.curve(pen, fan.x, fan.y, { from, to: from + fan.samples, ...scale });
+        }
+      });
+    }
+    if (shows(state, "envelope")) {
+      const stroke = { color: colors.envelope, width: 1.8, dash: DASHES.envelope };
+      const envelope = this.#model.envelope(scene);
+      painter.stroke(stroke, (pen) => chart.curve(pen, envelope.x, envelope.y, scale));
+      entries.push({ label: "envelope", stroke });
+    }
+    if (shows(state, "drag_free")) {
+      const stroke = { color: colors.ellipse, width: 1.8, dash: DASHES.ellipse };
+      painter.stroke(stroke, (pen) => chart.curve(pen, dragFree.x, dragFree.y, scale));
+      entries.push({ label: "without drag (ellipse)", stroke });
+    }
+    compared.forEach((other, index) => {
+      const stroke = compareStroke(colors, index, 2);
+      painter.stroke(stroke, (pen) => chart.curve(pen, other.x, other.y, scale));
+      entries.push({ label: `ε = ${short(other.epsilon, 4)}`, stroke });
+    });
+    if (shows(state, "comb")) {
+      const stroke = { color: colors.comb, width: 1 };
+      this.#comb(painter, scene, stroke);
+      entries.push({ label: "curvature ρK, as a comb", stroke });
+    }
+    painter.stroke(entries[0].stroke, (pen) => chart.curve(pen, locus.x, locus.y, scale));
+    if (shows(state, "ghost")) {
+      const stroke = { color: colors.ghost, width: 2, dash: DASHES.ghost };
+      const { curve, count } = this.#model.principal(locus);
+      painter.stroke(stroke, (pen) => chart.curve(pen, curve.x, curve.y, { to: count, ...scale }));
+      entries.push({ label: count ? "what W₀ would draw" : "W₀ draws the same here", stroke });
+    }
+    if (shows(state, "points")) this.#points(painter, scene);
+    if (shows(state, "circle")) {
+      entries.push({ label: "all shots at time t", stroke: { color: colors.circle, width: 1.8, dash: DASHES.circle } });
+    }
+    this.#legend(painter, entries);
+  }
+
+  #live(painter: Painter, scene: Scene): void {
+    const { chart } = this;
+    const { colors } = chart;
+    const { state, scales, apex, position, time } = scene;
+    const unit = scales.length / this.#metres;
+    const shot = this.#model.shot(scene);
+    painter.stroke({ color: colors.shot, width: 2 }, (pen) =>
+      chart.curve(pen, shot.x, shot.y, { xScale: unit, yScale: unit }),
+    );
+    if (shows(state, "circle")) {
+      const { radius, centre } = this.#model.shots.front(time, scales.epsilon);
+      const pixels = chart.x(radius * unit) - chart.x(0);
+      painter.stroke({ color: colors.circle, width: 1.8, dash: DASHES.circle }, (pen) => {
+        const [x, y] = [chart.x(0), chart.y(centre * unit)];
+        pen.moveTo(x + pixels, y);
+        pen.arc(x, y, pixels, 0, 2 * Math.PI);
+      });
+    }
+    // The ray at the elevation of the apex, and the launch direction.
+    painter.stroke({ color: colors.muted, width: 1, dash: [3, 3] }, (pen) =>
+      chart.line(pen, 0, 0, apex.x * unit, apex.y * unit),
+    );
+    const { direction } = this.places(scene);
+    painter.stroke({ color: colors.shot, width: 2.4 }, (pen) => {
+      pen.moveTo(chart.x(0), chart.y(0));
+      pen.lineTo(...direction);
+    });
+    if (time > 0) {
+      painter.fill(colors.shot, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 6));
+      painter.fill(colors.paper, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 2.5));
+    }
+  }
+
+  #comb(painter: Painter, { locus, scales }: Scene, stroke: Stroke): void {
+    const { chart } = this;
+    const unit = scales.length / this.#metres;
+    const { x, y, curvature } = locus;
+    // The longest tooth takes a fifth of the plot.
+    const greatest = curvature.reduce((most, value) => Math.max(most, value), 0);
+    const pixelsPerCurvature = (0.2 * chart.plot.height) / greatest;
+    painter.stroke(stroke, (pen) => {
+      const tips: [number, number][] = [];
+      for (let tooth = 0; tooth <= TEETH; tooth += 1) {
+        const index = Math.round((tooth / TEETH) * (x.length - 1));
+        const [before, after] = [Math.max(0, index - 1), Math.min(x.length - 1, index + 1)];
+        // Outwards: to the right of the way from the launcher to the top.
+        const [dx, dy] = [x[after] - x[before], y[after] - y[before]];
+        const length = Math.hypot(dx, dy) || 1;
+        const size = curvature[index] * pixelsPerCurvature;
+        const [px, py] = [chart.x(x[index] * unit), chart.y(y[index] * unit)];
+        const tip: [number, number] = [px + (dy / length) * size, py + (dx / length) * size];
+        pen.moveTo(px, py);
+        pen.lineTo(...tip);
+        tips.push(tip);
+      }
+      tips.forEach((tip, index) => (index ? pen.lineTo(...tip) : pen.moveTo(...tip)));
+    });
+  }
+
+  #points(painter: Painter, { scales }: Scene): void {
+    const { chart } = this;
+    const { colors, fontSize } = chart;
+    const unit = scales.length / this.#metres;
+    const angles = this.#model.named(scales.epsilon);
+    for (const [name, label] of [
+      ["curvature", "bends most"],
+      ["rightmost", "rightmost"],
+      ["farthest", "farthest"],
+    ] as const) {
+      const { x, y } = this.#model.shots.apex(angles[name][0], scales.epsilon);
+      painter.fill(colors.paper, 1, (pen) => chart.dot(pen, x * unit, y * unit, 4.5));
+      painter.stroke({ color: colors.locus, width: 2 }, (pen) => chart.dot(pen, x * unit, y * unit, 4.5));
+      // The points may lie close together; their labels must not.
+      const offset = { curvature: 1.5, farthest: -0.6, rightmost: 0.1 }[name] * fontSize;
+      const [px, py] = [chart.x(x * unit) + 9, chart.y(y * unit) + offset];
+      painter.text({ color: colors.ink, size: fontSize, halo: colors.paper }, px, py, label);
+    }
+  }
+
+  /** In the upper right corner, where no shot comes. */
+  #legend(painter: Painter, entries: readonly Entry[]): void {
+    const { chart } = this;
+    const { margin, plot, fontSize, colors } = chart;
+    const row = 1.5 * fontSize;
+    const right = margin.left + plot.width - 0.6 * fontSize;
+    const widest = Math.max(...entries.map(({ label }) => label.length));
+    const left = right - (0.6 * widest + 3.2) * fontSize;
+    painter.fill(colors.paper, 0.85, (pen) => {
+      const bottom = margin.top + 0.5 * row + entries.length * row;
+      pen.moveTo(left - 6, margin.top + 1);
+      pen.lineTo(right + 4, margin.top + 1);
+      pen.lineTo(right + 4, bottom);
+      pen.lineTo(left - 6, bottom);
+      pen.closePath();
+    });
+    entries.forEach(({ label, stroke }, index) => {
+      const y = margin.top + (index + 0.9) * row;
+      painter.stroke(stroke, (pen) => {
+        pen.moveTo(left, y - 0.33 * fontSize);
+        pen.lineTo(left + 2.2 * fontSize, y - 0.33 * fontSize);
+      });
+      painter.text({ color: colors.ink, size: fontSize }, left + 2.8 * fontSize, y, label);
+    });
+  }
+}
+
+/** The first of 1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10, … that is not below `value`. */
+export function stepAbove(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const steps = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10];
+  return power * (steps.find((step) => step * power >= value) ?? 10);
+}
