@@ -73,7 +73,7 @@ def rounded(ball: arb, scale: arb | None = None) -> Rounded:
     if scale is not None and scale.mid() != 0:
         unit = max(own, ulp_power(exponent(scale)))
     if top > 1023 or (top == 1023 and abs(whole) >= 1 << 53):
-        return Rounded(math.copysign(math.inf, mantissa), 0.0, 2.0**971)
+        return Rounded(math.inf if mantissa > 0 else -math.inf, 0.0, 2.0**971)
     return Rounded(math.ldexp(whole, own), math.ldexp(part, own - unit), math.ldexp(1.0, unit))
 
 

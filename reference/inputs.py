@@ -332,6 +332,68 @@ def angle_and_drag(rng: Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 MOTION = Arguments(angle_and_drag, [(a, e) for a in ANGLES for e in DRAGS] + OUTSIDE)
 
+# Flight --------------------------------------------------
+
+#: Any direction, downward ones included.
+DIRECTION = mixture((3, ANGLE), (1, negated(ANGLE)), (0.2, uniform(-TURN, TURN)))
+
+
+def moment(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
+    """Times by every measure: of the flight, of the drag, of any size."""
+    alpha, drag = DIRECTION(rng, count), DRAG(rng, count)
+    of_drag = log_uniform(2.0**-6, 2.0**7)(rng, count) / np.maximum(drag, 1e-290)
+    of_flight = log_uniform(2.0**-4, 2.0**4)(rng, count) * np.abs(np.sin(alpha))
+    t = np.choose(rng.choice(3, count), [of_drag, of_flight, log_uniform(TINY, 1e300)(rng, count)])
+    return t, alpha, drag
+
+
+#: Shares of a way: all of it, its beginning, its end.
+SHARE = mixture((5, uniform(0, 1)), (3, log_uniform(1e-12, 1)), (2, near(1, -1, 0.5)))
+
+
+def reach(rng: Generator, drag: np.ndarray) -> np.ndarray:
+    """How far a shot may get: to the wall 1/ε, or several times the drag-free range."""
+    far = log_uniform(2.0**-10, 2.0**3)(rng, drag.size)
+    return SHARE(rng, drag.size) * np.minimum(1 / np.maximum(drag, 1e-290), far)
+
+
+def abscissa_on_curve(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
+    alpha, drag = DIRECTION(rng, count), DRAG(rng, count)
+    return reach(rng, drag) * np.cos(alpha), alpha, drag
+
+
+def abscissa(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
+    drag = DRAG(rng, count)
+    return signed(lambda rng, _: reach(rng, drag))(rng, count), drag
+
+
+TIMES = [0.0, TINY, 1e-310, 1e-20, 0.1, 1.0, 30.0, 1e10, 1e300]
+SOME_ANGLES = [-TURN, -HALF_PI, -0.5, -TINY, 0.0, TINY, 1e-8, 0.7, HALF_PI, 2.0, PI, 4.0, TURN]
+SOME_DRAGS = [0.0, TINY, 1e-20, 0.1, 2.0, 1e8, 1e300]
+MOMENT = Arguments(
+    moment,
+    [(t, a, e) for t in TIMES for a in SOME_ANGLES for e in SOME_DRAGS]
+    + [(-TINY, 1.0, 1.0), (np.inf, 1.0, 1.0), (np.nan, 1.0, 1.0), (1.0, np.nan, 1.0)]
+    + [(1.0, 6.3, 1.0), (1.0, -6.3, 1.0), (1.0, 1.0, -TINY), (1.0, 1.0, np.inf)],
+)
+LENGTHS = [0.0, TINY, 1e-310, 1e-20, 0.1, 0.5, 1.0, 1e8, 1e300]
+CURVE = Arguments(
+    abscissa_on_curve,
+    [(s * x, a, e) for x in LENGTHS for s in (-1, 1) for a in SOME_ANGLES for e in SOME_DRAGS]
+    + [(np.inf, 1.0, 0.0), (np.nan, 1.0, 1.0), (0.1, np.nan, 1.0), (0.1, 1.0, np.nan)]
+    + [(0.1, 6.3, 1.0), (0.1, -6.3, 1.0), (0.1, 1.0, -TINY), (0.1, 1.0, np.inf)],
+)
+ABSCISSA = Arguments(
+    abscissa,
+    [(s * x, e) for x in LENGTHS for s in (-1, 1) for e in DRAGS]
+    + [(s * x, 1 / x) for s in (-1, 1) for y in (0.25, 1.0, 2.0) for x in neighbours(y)]
+    + [(np.inf, 0.0), (np.nan, 1.0), (0.1, np.nan), (0.1, -TINY), (0.1, np.inf)],
+)
+DRAG_ALONE = unary(
+    mixture((6, DRAG), (2, log_uniform(1e-3, 30)), (1, near(2.0**40, 1)), (1, near(2.0**40, -1))),
+    [*DRAGS, *neighbours(2.0**40, 1e-8, 1.0), 1e-162, 1e-154, 1e154, *ENDS, -TINY, -1.0],
+)
+
 # Hard cases --------------------------------------------------
 
 #: Inputs at which a kernel once was at its worst, found by longer searches than a run makes.

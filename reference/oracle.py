@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from reference import elementary, inputs, lambert, motion
+from reference import elementary, flight, inputs, lambert, motion
 from reference.ball import Rounded, exact, settled
 from reference.inputs import Arguments
 
@@ -23,13 +23,15 @@ class Function(NamedTuple):
     bound: float
 
 
-def direct(function: Callable, definition: str, names: str, arguments: Arguments) -> Function:
+def direct(
+    function: Callable, definition: str, names: str, arguments: Arguments, bound: float = 1.0
+) -> Function:
     """A function whose proven balls are both the fast values and the definition."""
 
     def value(*row: float) -> Rounded:
         return exact(function, *row)
 
-    return Function(value, value, definition, tuple(names.split()), arguments, 1.0)
+    return Function(value, value, definition, tuple(names.split()), arguments, bound)
 
 
 def by_road(
@@ -52,6 +54,19 @@ BY_ANGLE: dict[str, Function] = {
 } | {
     name: by_road(name, "theta", motion.fast_locus, motion.slow_locus, quantity)
     for name, quantity in motion.BY_ELEVATION.items()
+}
+
+FLIGHT: dict[str, Function] = {
+    name: direct(getattr(flight, name), flight.DEFINITIONS[name], names, arguments, 2.0)
+    for name, names, arguments in [
+        ("flight_time", "alpha epsilon", inputs.MOTION),
+        ("flight_range", "alpha epsilon", inputs.MOTION),
+        ("flight_x", "t alpha epsilon", inputs.MOMENT),
+        ("flight_y", "t alpha epsilon", inputs.MOMENT),
+        ("trajectory_height", "x alpha epsilon", inputs.CURVE),
+        ("optimal_angle", "epsilon", inputs.DRAG_ALONE),
+        ("envelope_height", "x epsilon", inputs.ABSCISSA),
+    ]
 }
 
 FUNCTIONS: dict[str, Function] = {
@@ -93,6 +108,7 @@ FUNCTIONS: dict[str, Function] = {
         lambert.tree, "the root t <= 1 of t e^-t = z; 1 at the double nearest 1/e", "z", inputs.TREE
     ),
     **BY_ANGLE,
+    **FLIGHT,
 }
 
 

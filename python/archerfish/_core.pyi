@@ -1,4 +1,4 @@
-"""Types of the compiled module: every ufunc is one of two shapes."""
+"""Types of the compiled module: every ufunc is one of three shapes."""
 
 # A class may derive from both float32 and float64, says mypy of overlapping overloads; none does.
 # mypy: disable-error-code="overload-overlap"
@@ -78,6 +78,38 @@ class _BinaryUfunc(np.ufunc):  # type: ignore[misc]
         self, x1: Any, x2: Any, /, out: Any = None, **options: Unpack[_Options]
     ) -> Any: ...
 
+class _TernaryUfunc(np.ufunc):  # type: ignore[misc]
+    @overload
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        /,
+        out: _Output,
+        **options: Unpack[_Options],
+    ) -> _Output: ...
+    @overload
+    def __call__(
+        self, x1: _Number, x2: _Number, x3: _Number, /, out: None = None
+    ) -> np.float64: ...
+    @overload
+    def __call__(
+        self, x1: _F64, x2: _Number | _F64, x3: _Number | _F64, /, out: None = None
+    ) -> _F64: ...
+    @overload
+    def __call__(
+        self, x1: _Number | _F64, x2: _F64, x3: _Number | _F64, /, out: None = None
+    ) -> _F64: ...
+    @overload
+    def __call__(
+        self, x1: _Number | _F64, x2: _Number | _F64, x3: _F64, /, out: None = None
+    ) -> _F64: ...
+    @overload
+    def __call__(
+        self, x1: Any, x2: Any, x3: Any, /, out: Any = None, **options: Unpack[_Options]
+    ) -> Any: ...
+
 __version__: Final[str]
 
 def isa() -> str: ...
@@ -88,6 +120,7 @@ lambertw0_offset: Final[_UnaryUfunc]
 lambertwm1_offset: Final[_UnaryUfunc]
 tree: Final[_UnaryUfunc]
 log1pmx: Final[_UnaryUfunc]
+optimal_angle: Final[_UnaryUfunc]
 
 apex_x: Final[_BinaryUfunc]
 apex_y: Final[_BinaryUfunc]
@@ -100,3 +133,10 @@ locus_launch_angle_d1: Final[_BinaryUfunc]
 locus_launch_angle_d2: Final[_BinaryUfunc]
 locus_radius: Final[_BinaryUfunc]
 locus_curvature: Final[_BinaryUfunc]
+flight_time: Final[_BinaryUfunc]
+flight_range: Final[_BinaryUfunc]
+envelope_height: Final[_BinaryUfunc]
+
+flight_x: Final[_TernaryUfunc]
+flight_y: Final[_TernaryUfunc]
+trajectory_height: Final[_TernaryUfunc]

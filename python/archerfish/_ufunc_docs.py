@@ -21,6 +21,8 @@ class UfuncDoc(NamedTuple):
 ALPHA = {"alpha": "Launch angle α in radians, in [0, π]; above π/2 the mirror image is meant."}
 THETA = {"theta": "Polar angle θ of the apex seen from the launch point, in radians, in [0, π]."}
 EPS = {"eps": "Drag parameter ε = b V₀ / g, without unit, at least 0 and finite."}
+DIRECTION = {"alpha": "Launch angle α in radians, in [−2π, 2π]: any direction, downwards too."}
+TIME = {"t": "Time since the launch in V₀/g, at least 0 and finite."}
 BY_LAUNCH_ANGLE = ALPHA | EPS
 BY_ELEVATION = THETA | EPS
 
@@ -196,6 +198,81 @@ array([0.30575278, 0.53331207, 0.4987823 ])
         """\
 >>> archerfish.locus_curvature(np.radians([0.0, 12.2048522798, 90.0]), 10.0)
 array([ 1.        , 59.28157766, 11.        ])
+""",
+    ),
+    "flight_time": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Time of flight over level ground.",
+        "The T > 0 with y(T) = 0, in V₀/g: 2 sin α at ε = 0, near sin α + 1/ε for strong drag.",
+        f"The equation of motion, from which (7) and (8) of {PAPER} follow, at y = 0.",
+        """\
+>>> archerfish.flight_time(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.98386929, 1.38237439, 1.6847659 ])
+""",
+    ),
+    "flight_range": UfuncDoc(
+        BY_LAUNCH_ANGLE,
+        "Range over level ground.",
+        "x(T), in V₀²/g: sin 2α at ε = 0; negative for α > π/2.",
+        f"The equation of motion, from which (7) and (8) of {PAPER} follow, at y = 0.",
+        """\
+>>> archerfish.flight_range(np.radians([30.0, 45.0, 60.0]), 0.1)
+array([0.81148171, 0.91293224, 0.77524478])
+""",
+    ),
+    "flight_x": UfuncDoc(
+        TIME | DIRECTION | EPS,
+        "Abscissa of the projectile at time t.",
+        "x = cos α (1 - e^(-εt)) / ε, in V₀²/g; t cos α at ε = 0.",
+        f"The equation of motion, before (7) of {PAPER}.",
+        """\
+>>> archerfish.flight_x([0.0, 0.5, 1.0], np.pi / 3, 0.1)
+array([0.        , 0.24385288, 0.47581291])
+""",
+    ),
+    "flight_y": UfuncDoc(
+        TIME | DIRECTION | EPS,
+        "Height of the projectile at time t.",
+        "y = sin α (1 - e^(-εt)) / ε - (εt - 1 + e^(-εt)) / ε², in V₀²/g; t sin α - t²/2 at "
+        "ε = 0.\n    Exact beside the greater of the two terms; below the launch point negative.",
+        f"The equation of motion, before (7) of {PAPER}.",
+        """\
+>>> archerfish.flight_y([0.0, 0.5, 1.0], np.pi / 3, 0.1)
+array([0.        , 0.29942312, 0.34039033])
+""",
+    ),
+    "trajectory_height": UfuncDoc(
+        {"x": "Abscissa in V₀²/g, on the side the shot goes to, nearer than cos α/ε."}
+        | DIRECTION
+        | EPS,
+        "Height of the trajectory at the abscissa x.",
+        "y = x tan α + ln(1 - v)/ε² + v/ε² with v = εx / cos α, in V₀²/g; x tan α - x²/(2 cos²α)\n"
+        "    at ε = 0. NaN from the wall cos α/ε on, which the shot never reaches.",
+        f"Equations (7) and (8) of {PAPER} before the apex is put in.",
+        """\
+>>> archerfish.trajectory_height([0.0, 0.25, 0.5], np.pi / 3, 0.1)
+array([0.        , 0.30368326, 0.32997384])
+""",
+    ),
+    "optimal_angle": UfuncDoc(
+        EPS,
+        "Launch angle of the greatest range over level ground.",
+        "α in radians: π/4 at ε = 0, falling to 0; launch and landing are perpendicular there.",
+        "sin α = ε/(eᵛ - 1) with v eᵛ - (eᵛ - 1) = ε².",
+        """\
+>>> np.degrees(archerfish.optimal_angle([0.0, 0.1, 1.0, 10.0]))
+array([45.        , 43.70969218, 35.58969411, 15.82872145])
+""",
+    ),
+    "envelope_height": UfuncDoc(
+        {"x": "Abscissa in V₀²/g, in [-1/ε, 1/ε]."} | EPS,
+        "Height of the envelope of all trajectories at the abscissa x.",
+        "In V₀²/g: (1 - x²)/2 at ε = 0, -∞ at x = ±1/ε. A target is within reach exactly when it\n"
+        "    lies on or under the envelope.",
+        "The highest of all shots at x has 1 - ε|x|/cos α = sin α/(sin α + ε).",
+        """\
+>>> archerfish.envelope_height([0.0, 0.5, 1.0], 0.1)
+array([ 0.46898202,  0.33056445, -0.09470809])
 """,
     ),
 }

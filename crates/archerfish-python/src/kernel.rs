@@ -1,15 +1,16 @@
-//! One shape for the core's slice functions of one and two numbers.
+//! One shape for the core's slice functions of one, two and three numbers.
 
-use archerfish::batch::{BinaryBatch, UnaryBatch};
+use archerfish::batch::{BinaryBatch, TernaryBatch, UnaryBatch};
 
 /// Most inputs a kernel takes.
-pub const MAX_INPUTS: usize = 2;
+pub const MAX_INPUTS: usize = 3;
 
 /// A slice function of the core, by its number of inputs.
 #[derive(Clone, Copy)]
 pub enum Kernel {
     Unary(UnaryBatch),
     Binary(BinaryBatch),
+    Ternary(TernaryBatch),
 }
 
 impl Kernel {
@@ -18,6 +19,7 @@ impl Kernel {
         match self {
             Kernel::Unary(_) => 1,
             Kernel::Binary(_) => 2,
+            Kernel::Ternary(_) => 3,
         }
     }
 
@@ -27,6 +29,7 @@ impl Kernel {
         match self {
             Kernel::Unary(function) => function(x[0], out),
             Kernel::Binary(function) => function(x[0], x[1], out),
+            Kernel::Ternary(function) => function(x[0], x[1], x[2], out),
         }
         // The second pass, over the inputs too, only where the first, cheap one found something.
         holds_nan(out) && (0..out.len()).any(|i| out[i].is_nan() && !self.any_nan(x, i))

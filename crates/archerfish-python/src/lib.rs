@@ -9,7 +9,7 @@ mod ufunc;
 
 #[pymodule]
 mod _core {
-    use archerfish::batch::{self, BINARY, UNARY};
+    use archerfish::batch::{self, BINARY, TERNARY, UNARY};
     use pyo3::exceptions::PyImportError;
     use pyo3::prelude::*;
 
@@ -36,6 +36,9 @@ mod _core {
         }
         for &(name, function) in BINARY {
             ufunc::register(module, name, Kernel::Binary(function))?;
+        }
+        for &(name, function) in TERNARY {
+            ufunc::register(module, name, Kernel::Ternary(function))?;
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Evaluates one function of the crate on doubles from standard input: the reference's way in.
 //!
-//! `evaluate NAME`: arguments as little-endian f64 (a function of two numbers takes them in turn), values likewise on
+//! `evaluate NAME`: arguments as little-endian f64 (a function of several takes them in turn), values likewise on
 //! standard output, bit for bit.
 
 use archerfish::{batch, real};
@@ -40,9 +40,15 @@ fn evaluate(name: &str, arguments: &[f64]) -> Option<Vec<f64>> {
     if let Some(function) = find(REAL_BINARY, name) {
         return Some(first.iter().zip(&second).map(|(&a, &b)| function(a, b)).collect());
     }
-    let function = find(batch::BINARY, name)?;
-    let mut out = vec![0.0; first.len()];
-    function(&first, &second, &mut out);
+    if let Some(function) = find(batch::BINARY, name) {
+        let mut out = vec![0.0; first.len()];
+        function(&first, &second, &mut out);
+        return Some(out);
+    }
+    let function = find(batch::TERNARY, name)?;
+    let column = |k| arguments.chunks_exact(3).map(|row| row[k]).collect::<Vec<f64>>();
+    let mut out = vec![0.0; arguments.len() / 3];
+    function(&column(0), &column(1), &column(2), &mut out);
     Some(out)
 }
 

@@ -3,7 +3,7 @@
 //! Every function takes its arguments as slices at least as long as `out` and fills `out`.
 
 use crate::dispatch::batch;
-use crate::{lambert, motion, real};
+use crate::{flight, lambert, motion, real};
 
 pub use crate::dispatch::isa_name;
 
@@ -11,6 +11,8 @@ pub use crate::dispatch::isa_name;
 pub type UnaryBatch = fn(&[f64], &mut [f64]);
 /// A function of two numbers over slices.
 pub type BinaryBatch = fn(&[f64], &[f64], &mut [f64]);
+/// A function of three numbers over slices.
+pub type TernaryBatch = fn(&[f64], &[f64], &[f64], &mut [f64]);
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
@@ -31,6 +33,7 @@ table! { UNARY: UnaryBatch;
     lambertwm1_offset(d) = lambert::lambertwm1_offset;
     tree(z) = lambert::tree;
     log1pmx(x) = real::log1pmx;
+    optimal_angle(eps) = flight::optimal_angle;
 }
 
 table! { BINARY: BinaryBatch;
@@ -45,4 +48,13 @@ table! { BINARY: BinaryBatch;
     locus_launch_angle_d2(theta, eps) = motion::locus_launch_angle_d2;
     locus_radius(theta, eps) = motion::locus_radius;
     locus_curvature(theta, eps) = motion::locus_curvature;
+    flight_time(alpha, eps) = flight::flight_time;
+    flight_range(alpha, eps) = flight::flight_range;
+    envelope_height(x, eps) = flight::envelope_height;
+}
+
+table! { TERNARY: TernaryBatch;
+    flight_x(t, alpha, eps) = flight::flight_x;
+    flight_y(t, alpha, eps) = flight::flight_y;
+    trajectory_height(x, alpha, eps) = flight::trajectory_height;
 }

@@ -1,6 +1,7 @@
 //! Projectile motion under gravity and linear drag, computed to the last digits.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod flight;
 pub mod lambert;
 pub mod motion;
 pub mod real;

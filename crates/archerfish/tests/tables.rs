@@ -5,7 +5,7 @@ mod common;
 use archerfish::{batch, real};
 use common::{Row, table};
 
-/// The errors demanded, in ulp: of a function of one number, and of a function of an angle and ε.
+/// The errors demanded, in ulp: of a function of one number, and of a shot.
 const ONE_NUMBER: f64 = 1.0;
 const MOTION: f64 = 2.0;
 
@@ -53,7 +53,7 @@ fn real_functions() {
 
 #[test]
 fn functions_of_one_number() {
-    assert_eq!(batch::UNARY.len(), 6);
+    assert_eq!(batch::UNARY.len(), 7);
     for (name, function) in batch::UNARY {
         compare(name, ONE_NUMBER, |rows| {
             let mut out = vec![0.0; rows.len()];
@@ -64,12 +64,24 @@ fn functions_of_one_number() {
 }
 
 #[test]
-fn functions_of_an_angle_and_epsilon() {
-    assert_eq!(batch::BINARY.len(), 11);
+fn functions_of_two_numbers() {
+    assert_eq!(batch::BINARY.len(), 14);
     for (name, function) in batch::BINARY {
         compare(name, MOTION, |rows| {
             let mut out = vec![0.0; rows.len()];
             function(&argument(rows, 0), &argument(rows, 1), &mut out);
+            out
+        });
+    }
+}
+
+#[test]
+fn functions_of_three_numbers() {
+    assert_eq!(batch::TERNARY.len(), 3);
+    for (name, function) in batch::TERNARY {
+        compare(name, MOTION, |rows| {
+            let mut out = vec![0.0; rows.len()];
+            function(&argument(rows, 0), &argument(rows, 1), &argument(rows, 2), &mut out);
             out
         });
     }

@@ -33,6 +33,13 @@ TABLE: dict[str, dict[str, tuple[float, float]]] = {
     "locus_launch_angle_d2": {"theta": ANGLE, "eps": EPSILON},
     "locus_radius": {"theta": ANGLE, "eps": EPSILON},
     "locus_curvature": {"theta": ANGLE, "eps": EPSILON},
+    "flight_time": {"alpha": ANGLE, "eps": EPSILON},
+    "flight_range": {"alpha": ANGLE, "eps": EPSILON},
+    "flight_x": {"t": (0.0, 3.0), "alpha": (-6.0, 6.0), "eps": EPSILON},
+    "flight_y": {"t": (0.0, 3.0), "alpha": (-6.0, 6.0), "eps": EPSILON},
+    "trajectory_height": {"x": (0.0, 0.05), "alpha": (-1.0, 1.0), "eps": EPSILON},
+    "optimal_angle": {"eps": EPSILON},
+    "envelope_height": {"x": (-0.09, 0.09), "eps": EPSILON},
 }
 
 Array = npt.NDArray[np.float64]

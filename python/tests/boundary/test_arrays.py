@@ -60,8 +60,8 @@ def test_broadcast_of_a_number_and_of_a_row(ufunc, draw, elementwise):
             ufunc(*draw(5), out=np.empty(3))
         return
     for left, right in [((700,), ()), ((), (700,)), ((40, 1), (30,)), ((1, 30), (40, 1))]:
-        pair = [draw(left)[0], draw(right)[1]]
-        assert_array_equal(ufunc(*pair), elementwise(*pair))
+        inputs = [draw(left)[0], *draw(right)[1:]]
+        assert_array_equal(ufunc(*inputs), elementwise(*inputs))
 
 
 @pytest.mark.parametrize("shift", range(1, 8))
@@ -137,7 +137,7 @@ def test_reversed_onto_itself(ufunc, draw, elementwise):
 
 def test_accumulate_and_reduce_go_element_by_element(ufunc):
     values = np.random.default_rng(3).uniform(0.1, 0.5, 700)
-    if ufunc.nin == 1:
+    if ufunc.nin != 2:
         with pytest.raises(ValueError, match="binary"):
             ufunc.accumulate(values)
         return
@@ -156,6 +156,11 @@ def test_outer_and_at(ufunc, draw, elementwise):
     if ufunc.nin == 2:
         left, right = inputs
         assert_array_equal(ufunc.outer(left, right), elementwise(left[:, None], right))
+        return
+    if ufunc.nin > 2:
+        for method in (ufunc.outer, ufunc.at):
+            with pytest.raises((ValueError, TypeError)):
+                method(*inputs)
         return
     expected = inputs[0].copy()
     expected[[3, 5]] = elementwise(expected[[3, 5]])

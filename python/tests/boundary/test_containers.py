@@ -51,19 +51,22 @@ def test_pandas_aligns_by_label(ufunc, draw):
         frame = pd.DataFrame({"x": draw(4)[0]})
         assert isinstance(ufunc(frame), pd.DataFrame)
         return
-    left, right = draw(4)
-    result = ufunc(pd.Series(left, list("abcd")), pd.Series(right[::-1], list("dcba")))
-    assert_array_equal(result[list("abcd")].to_numpy(), ufunc(left, right))
+    left, *others = draw(4)
+    mirrored = [pd.Series(x[::-1], list("dcba")) for x in others]
+    if ufunc.nin > 2:  # pandas itself takes no more than two to align
+        mirrored = [series[list("abcd")] for series in mirrored]
+    result = ufunc(pd.Series(left, list("abcd")), *mirrored)
+    assert_array_equal(result[list("abcd")].to_numpy(), ufunc(left, *others))
 
 
 def test_xarray(ufunc, draw):
     inputs = draw(6)
-    names = ["angle", "drag"]
+    names = ["first", "second", "third"]
     arrays = [xr.DataArray(x, dims=n, coords={n: x}) for x, n in zip(inputs, names, strict=False)]
     result = ufunc(*arrays)
     assert isinstance(result, xr.DataArray)
     assert result.dims == tuple(names[: ufunc.nin])
-    expected = ufunc(*inputs) if ufunc.nin == 1 else ufunc.outer(*inputs)
+    expected = ufunc(*np.ix_(*inputs))
     assert_array_equal(result.to_numpy(), expected)
 
 

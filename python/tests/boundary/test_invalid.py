@@ -15,9 +15,18 @@ OUTSIDE = {
     "lambertwm1_offset": [-1e-300, 0.37],
     "tree": [0.37, np.inf],
     "log1pmx": [-1.5, -np.inf],
+    "optimal_angle": [-1e-300, -1.0, np.inf],
 }
 OUTSIDE_ANGLE = [-1e-300, -1.0, 3.15, np.inf]
 OUTSIDE_EPS = [-1e-300, -1.0, -np.inf]
+
+#: As above, of the functions whose arguments are not an angle and ε.
+OUTSIDE_FLIGHT = {
+    "envelope_height": [(10.1, 0.1), (-3.0, 0.5), (np.inf, 0.0), (0.5, -1e-300), (0.5, np.inf)],
+    "flight_x": [(-1e-300, 1.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (1.0, 1.0, -1.0)],
+    "flight_y": [(-1e-300, 1.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (1.0, 1.0, -1.0)],
+    "trajectory_height": [(10.1, 0.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (0.1, 1.0, -1.0)],
+}
 
 #: Longer than a block, and with a gap after each row: NumPy calls the loop once a row.
 ROWS, COLUMNS = 3, 400
@@ -27,6 +36,8 @@ def outside(name, ufunc):
     """Arguments outside the domain, one wrong at a time."""
     if ufunc.nin == 1:
         return [(value,) for value in OUTSIDE[name]]
+    if name in OUTSIDE_FLIGHT:
+        return OUTSIDE_FLIGHT[name]
     return [(a, 0.1) for a in OUTSIDE_ANGLE] + [(0.5, e) for e in OUTSIDE_EPS]
 
 
@@ -56,10 +67,10 @@ def test_given_nan_passes_quietly(ufunc, draw):
 
 
 def test_given_nan_hides_no_other_argument(ufunc):
-    if ufunc.nin == 2:
+    if ufunc.nin > 1:
         with np.errstate(all="raise"):
-            assert np.isnan(ufunc(np.nan, -1.0))
-            assert np.isnan(ufunc(-1.0, np.nan))
+            assert np.isnan(ufunc(np.nan, *[-1.0] * (ufunc.nin - 1)))
+            assert np.isnan(ufunc(*[-1.0] * (ufunc.nin - 1), np.nan))
 
 
 @pytest.mark.parametrize("position", [0, 255, 256, 999])
@@ -98,8 +109,14 @@ def test_no_flag_for_any_legal_number(name, ufunc, draw):
     huge = [1.0, 1e16, 1e154, 1e155, 1e200, 1e300]
     with np.errstate(all="raise"):
         ufunc(*draw(1000))
-        if ufunc.nin == 2:
-            angles = np.array([*tiny, 0.5, np.pi / 4, np.pi / 2, 3.0, np.pi])
+        angles = np.array([*tiny, 0.5, np.pi / 4, np.pi / 2, 3.0, np.pi])
+        if name == "envelope_height":
+            ufunc(np.array(tiny)[:, None], np.array([*tiny, 1.0, 1e15]))
+        elif name == "trajectory_height":
+            ufunc(np.array(tiny)[:, None], 0.5, np.array([*tiny, 1.0, 1e15]))
+        elif ufunc.nin == 3:
+            ufunc(np.array([*tiny, 1.0, 1e150])[:, None, None], angles[:, None], tiny + huge)
+        elif ufunc.nin == 2:
             ufunc(angles[:, None], np.array(tiny + huge))
         elif name in {"lambertw0", "lambertw0_offset", "log1pmx"}:
             ufunc(np.array([*tiny, *huge, np.inf]))

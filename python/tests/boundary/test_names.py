@@ -62,7 +62,7 @@ def test_stub_has_the_same_names_and_shapes(table):
         for line in stub.body
         if isinstance(line, ast.AnnAssign) and isinstance(line.target, ast.Name)
     }
-    shapes = {1: "Final[_UnaryUfunc]", 2: "Final[_BinaryUfunc]"}
+    shapes = {1: "Final[_UnaryUfunc]", 2: "Final[_BinaryUfunc]", 3: "Final[_TernaryUfunc]"}
     expected = {name: shapes[len(arguments)] for name, arguments in table.items()}
     assert typed == expected | {"__version__": "Final[str]"}
 

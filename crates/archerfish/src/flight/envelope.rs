@@ -1,0 +1,70 @@
+//! The envelope of all trajectories of one speed.
+//!
+//! Method: the shot that touches it at x has `sin α = s = e/(εx² + √(x² + e))`, e = 1 − ε²x², in
+//! which nothing cancels; it has gone the way p = x/cos α = 1/(s + ε) by then, and the envelope's
+//! height is its own.
+
+use super::domain::is_drag;
+use super::fall::fall;
+use super::height::height_after;
+use crate::real::double_double::{DoubleDouble, two_product, two_sum};
+use crate::real::select;
+
+/// The shot that touches the envelope at a given abscissa.
+pub(super) struct Touching {
+    /// `sin α`, positive
+    pub sin: DoubleDouble,
+    /// `p = |x|/cos α = 1/(sin α + ε)`
+    pub way: DoubleDouble,
+    /// `ψ(εp)`
+    pub psi: DoubleDouble,
+    /// `1 − ε|x|`; nothing is reached where it is not positive
+    pub rest: f64,
+}
+
+impl Touching {
+    /// At x, |x| < 1/ε.
+    #[inline(always)]
+    pub fn at(x: f64, epsilon: f64) -> Self {
+        let one = DoubleDouble::from(1.0);
+        let before_end = one.sub(two_product(epsilon, x.abs()));
+        // so far out the height is −∞, and its parts would be infinite
+        let x = select(x.abs() > 1e160, 1e160, x.abs());
+        let product = two_product(epsilon, x);
+        let rest = one.sub(product);
+        let e = rest.mul(one.add(product));
+        // numerator and denominator divided by the greater of 1 and x: squares of x overflow
+        let long = x > 1.0;
+        let unit = select(long, 1.0, x);
+        let inverse = DoubleDouble::select(long, one.div(DoubleDouble::from(x)), one);
+        let numerator = e.mul(inverse);
+        let square = DoubleDouble::select(long, one, two_product(x, x));
+        let root = square.add(numerator.mul(inverse)).sqrt();
+        let sin = numerator.div(product.mul_double(unit).add(root));
+        let sum = two_sum(epsilon, sin.hi);
+        let sum = DoubleDouble { hi: sum.hi, lo: sum.lo + sin.lo };
+        let way = one.div(sum);
+        // 1 − v = s/(s + ε)
+        let psi = fall(way.mul_double(epsilon), way.mul(sin));
+        Touching { sin, way, psi, rest: before_end.round() }
+    }
+
+    /// The envelope's height.
+    #[inline(always)]
+    pub fn height(&self) -> f64 {
+        let y = height_after(self.way, self.sin, self.psi);
+        let y = select(self.rest == 0.0, f64::NEG_INFINITY, y);
+        select(self.rest >= 0.0, y, f64::NAN)
+    }
+}
+
+/// Height of the envelope of all trajectories at the abscissa x, in V₀²/g: what lies on or under
+/// it can be reached, what lies above can not.
+///
+/// |x| ≤ 1/ε; −∞ at both ends, NaN beyond. Limit: `(1 − x²)/2` as ε → 0. Its error is small beside
+/// the greater of sin α/(sin α + ε) and its difference from that, α being the touching shot's
+/// launch angle.
+#[inline(always)]
+pub fn envelope_height(x: f64, eps: f64) -> f64 {
+    select(is_drag(eps) & (x.abs() < f64::INFINITY), Touching::at(x, eps).height(), f64::NAN)
+}

@@ -1,0 +1,56 @@
+//! The launch angle of the greatest range over level ground.
+//!
+//! With p = ε/sin α it solves `(1 + p) ln(1 + p) − p = ε²`, so that `sin²α = 1 − G(p)` and
+//! `cos²α = G(p)`. In the fall's terms `1 − G(p) = (1 − v) ψ(v)`, v = p/(1 + p).
+//!
+//! Method: ln(1 + p) is 1 + W₀(−1/e + ε²/e); one Newton step, its residual in sums of two doubles.
+//! Beyond ε = 2⁴⁰, `ε sin α = W` with `W + ln W = 2 ln ε − 1`, and α is its own sine.
+
+use super::domain::is_drag;
+use super::fall::fall;
+use crate::lambert::lambertw0_offset;
+use crate::real::double_double::{DoubleDouble, two_product};
+use crate::real::{Logarithm, angle, exp_m1, ln, ln_1p, select};
+
+const INVERSE_E: f64 = 0.36787944117144233;
+const STRONG: f64 = 1099511627776.0; // 2⁴⁰
+
+/// For ε < 2⁴⁰.
+#[inline(always)]
+fn moderate(epsilon: f64) -> f64 {
+    let square = two_product(epsilon, epsilon);
+    let p = exp_m1(lambertw0_offset(square.hi * INVERSE_E));
+    let one = DoubleDouble::from(1.0);
+    let rest = one.div(one.add_double(p));
+    let sine_square = rest.mul(fall(rest.mul_double(p), rest));
+    let residual = square.sub(two_product(p, p).mul(sine_square)).round();
+    let slowness = select(p < 1e-20, 1.0, ln_1p(p) / p);
+    // where ε² is next to nothing so is the change
+    let change = select(epsilon < 1e-8, 0.0, residual / (p * p * slowness));
+    let sine_square = sine_square.add_double(change * (slowness - 2.0 * sine_square.hi));
+    angle(sine_square.sqrt(), one.sub(sine_square).sqrt()).round()
+}
+
+/// For ε > 2⁴⁰.
+#[inline(always)]
+fn strong(epsilon: f64) -> f64 {
+    let logarithm = |x: f64| Logarithm::of(DoubleDouble::from(x)).value();
+    let right = logarithm(epsilon).scale(2.0).add_double(-1.0);
+    let mut w = right.hi - ln(right.hi);
+    w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
+    w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
+    let residual = right.add_double(-w).sub(logarithm(w)).round();
+    DoubleDouble::from(w)
+        .add_double(residual * w / (1.0 + w))
+        .div(DoubleDouble::from(epsilon))
+        .round()
+}
+
+/// Launch angle of the greatest range over level ground, in radians.
+///
+/// ε ≥ 0. π/4 without drag, falling to 0; there launch and landing are perpendicular.
+#[inline(always)]
+pub fn optimal_angle(eps: f64) -> f64 {
+    let angle = select(eps > STRONG, strong(eps), moderate(eps));
+    select(is_drag(eps), angle, f64::NAN)
+}

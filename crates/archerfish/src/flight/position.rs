@@ -1,0 +1,40 @@
+//! Where the projectile is at a given time.
+//!
+//! Method: `x = t cos α E₁(w)` and `y = t (sin α E₁(w) − t E₂(w))` with w = εt, in which nothing
+//! cancels but the rise against the fall. Beyond w = 75 all that is left of the exponential is its
+//! limit: `x = cos α / ε`, `y = (sin α + 1/ε − t)/ε`, and w itself, which may overflow, is not needed.
+
+use super::domain::{is_direction, is_drag, is_later};
+use super::relaxation::{RELAXED, Relaxation, clamped};
+use crate::real::double_double::{DoubleDouble, two_product};
+use crate::real::{select, sin_cos_extended};
+
+/// Abscissa at time t of the shot at launch angle α, `cos α (1 − e^{−εt})/ε`, in V₀²/g.
+///
+/// t ≥ 0, α in [−2π, 2π]. Limits: `t cos α` as ε → 0; `cos α / ε` as t → ∞.
+#[inline(always)]
+pub fn flight_x(t: f64, alpha: f64, eps: f64) -> f64 {
+    let (_, cos) = sin_cos_extended(alpha);
+    let w = two_product(eps, t);
+    let on_the_way = cos.mul(Relaxation::at(clamped(w)).speed).round() * t;
+    let at_rest = cos.div(DoubleDouble::from(eps)).round();
+    let x = select(w.hi > RELAXED, at_rest, on_the_way);
+    select(is_later(t) & is_direction(alpha) & is_drag(eps), x, f64::NAN)
+}
+
+/// Height at time t of the shot at launch angle α, in V₀²/g; below the launch point negative.
+///
+/// t ≥ 0, α in [−2π, 2π]. It is `sin α (1 − e^{−εt})/ε`, where drag alone would have brought
+/// the projectile, less `(εt − 1 + e^{−εt})/ε²`, what it has fallen; its error is small beside the
+/// greater of the two. Limits: `t sin α − t²/2` as ε → 0; falling at the rate 1/ε as t → ∞.
+#[inline(always)]
+pub fn flight_y(t: f64, alpha: f64, eps: f64) -> f64 {
+    let (sin, _) = sin_cos_extended(alpha);
+    let w = two_product(eps, t);
+    let Relaxation { speed, fall, .. } = Relaxation::at(clamped(w));
+    let on_the_way = sin.mul(speed).sub(fall.mul_double(t)).round() * t;
+    let limit = DoubleDouble::from(1.0).div(DoubleDouble::from(eps));
+    let falling = sin.add_double(-t).add(limit).round() / eps;
+    let y = select(w.hi > RELAXED, falling, on_the_way);
+    select(is_later(t) & is_direction(alpha) & is_drag(eps), y, f64::NAN)
+}

@@ -1,0 +1,16 @@
+//! Range.
+
+use super::domain::{is_drag, is_rising};
+use super::time::LevelShot;
+use crate::real::select;
+
+/// Range over level ground, x(T), in V₀²/g; negative for α > π/2.
+///
+/// α in [0, π]. Limits: `2 sin α cos α` as ε → 0; `cos α / ε` as ε → ∞.
+#[inline(always)]
+pub fn flight_range(alpha: f64, eps: f64) -> f64 {
+    // x(T) = T cos α / q, for 1 − e^{−εT} = εT/q at the landing
+    let shot = LevelShot::at(alpha, eps);
+    let range = shot.sin.mul(shot.eta).mul(shot.cos).scale(2.0).div(shot.q).round() * shot.back;
+    select(is_rising(alpha) & is_drag(eps), range, f64::NAN)
+}

@@ -1,0 +1,38 @@
+"""Every function of a whole flight against exact values."""
+
+import math
+import secrets
+
+import numpy as np
+import pytest
+
+import archerfish
+from reference import accuracy, compare, oracle, tables
+
+NAMES = list(oracle.FLIGHT)
+RECORD = accuracy.read_record()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_table(name):
+    compared = compare.with_table(name, getattr(archerfish, name))
+    assert compared.errors.size == len(tables.rows(name))
+    compared.assert_within(accuracy.demanded(name, RECORD))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_fresh_inputs(name):
+    compared = compare.with_oracle(name, getattr(archerfish, name), 1000, secrets.randbits(32))
+    compared.assert_within(accuracy.demanded(name, RECORD))
+
+
+@pytest.mark.parametrize("alpha", [0.0, 5e-324, 1e-300, 1.0, np.pi / 2, 2.0, np.pi])
+@pytest.mark.parametrize("eps", [0.0, 5e-324, 1e-308, 1.0, 1e8, 1e300])
+def test_the_ends_of_the_domain_are_ordinary(alpha, eps):
+    assert math.isfinite(archerfish.flight_time(alpha, eps))
+    assert math.isfinite(archerfish.flight_range(alpha, eps))
+    assert math.isfinite(archerfish.optimal_angle(eps))
+    assert math.isfinite(archerfish.envelope_height(0.0, eps))
+    for t in (0.0, 5e-324, 1.0, 1e150):
+        assert math.isfinite(archerfish.flight_x(t, alpha, eps))
+        assert math.isfinite(archerfish.flight_y(t, alpha, eps))
