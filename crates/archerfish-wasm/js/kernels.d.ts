@@ -1,13 +1,14 @@
-/** A function of one number: `z`, `d` or `x`. */
+/** A function of one number: `z`, `d`, `x` or `eps`. */
 export type UnaryName =
   | "lambertw0"
   | "lambertwm1"
   | "lambertw0_offset"
   | "lambertwm1_offset"
   | "tree"
-  | "log1pmx";
+  | "log1pmx"
+  | "optimal_angle";
 
-/** A function of an angle in radians (launch angle, or elevation) and of the drag parameter. */
+/** A function of an angle in radians (launch angle, or elevation) or an abscissa, and of `eps`. */
 export type BinaryName =
   | "apex_x"
   | "apex_y"
@@ -19,7 +20,13 @@ export type BinaryName =
   | "locus_launch_angle_d1"
   | "locus_launch_angle_d2"
   | "locus_radius"
-  | "locus_curvature";
+  | "locus_curvature"
+  | "flight_time"
+  | "flight_range"
+  | "envelope_height";
+
+/** A function of a time or an abscissa, of the launch angle and of `eps`. */
+export type TernaryName = "flight_x" | "flight_y" | "trajectory_height";
 
 /** Doubles in the module's memory. */
 export interface Column {
@@ -31,7 +38,8 @@ export interface Column {
 /** Each fills its last column, as long as that is. */
 export type Functions = Readonly<
   Record<UnaryName, (x: Column, out: Column) => void> &
-    Record<BinaryName, (angle: Column, eps: Column, out: Column) => void>
+    Record<BinaryName, (x: Column, eps: Column, out: Column) => void> &
+    Record<TernaryName, (x: Column, alpha: Column, eps: Column, out: Column) => void>
 >;
 
 export interface Kernels {

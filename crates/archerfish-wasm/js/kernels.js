@@ -71,6 +71,6 @@ function functionOf(core, number) {
       }
     }
     const x = (k) => columns[Math.min(k, inputs - 1)].address;
-    core.evaluate(number, x(0), x(1), out.address, out.length);
+    core.evaluate(number, x(0), x(1), x(2), out.address, out.length);
   };
 }

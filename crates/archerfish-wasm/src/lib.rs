@@ -8,20 +8,22 @@
 use std::arch::wasm32;
 use std::{ptr, slice};
 
-use archerfish::batch::{BINARY, BinaryBatch, UNARY, UnaryBatch};
+use archerfish::batch::{BINARY, BinaryBatch, TERNARY, TernaryBatch, UNARY, UnaryBatch};
 
 /// A function of the tables, whatever the number of its arguments.
 #[derive(Clone, Copy)]
 enum Kernel {
     Unary(UnaryBatch),
     Binary(BinaryBatch),
+    Ternary(TernaryBatch),
 }
 
 /// Name and function of a number from 0 on: the tables, one after the other.
 fn find(number: usize) -> Option<(&'static str, Kernel)> {
     let unary = UNARY.iter().map(|&(name, function)| (name, Kernel::Unary(function)));
     let binary = BINARY.iter().map(|&(name, function)| (name, Kernel::Binary(function)));
-    unary.chain(binary).nth(number)
+    let ternary = TERNARY.iter().map(|&(name, function)| (name, Kernel::Ternary(function)));
+    unary.chain(binary).chain(ternary).nth(number)
 }
 
 /// Address of the name (ASCII) of a function; 0 past the last.
@@ -42,6 +44,7 @@ pub extern "C" fn inputs(number: usize) -> usize {
     match find(number) {
         Some((_, Kernel::Unary(_))) => 1,
         Some((_, Kernel::Binary(_))) => 2,
+        Some((_, Kernel::Ternary(_))) => 3,
         None => 0,
     }
 }
@@ -70,6 +73,7 @@ pub unsafe extern "C" fn evaluate(
     number: usize,
     x0: *const f64,
     x1: *const f64,
+    x2: *const f64,
     out: *mut f64,
     count: usize,
 ) {
@@ -80,6 +84,7 @@ pub unsafe extern "C" fn evaluate(
     match find(number) {
         Some((_, Kernel::Unary(function))) => function(of(x0), out),
         Some((_, Kernel::Binary(function))) => function(of(x0), of(x1), out),
+        Some((_, Kernel::Ternary(function))) => function(of(x0), of(x1), of(x2), out),
         None => {}
     }
 }
