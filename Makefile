@@ -18,10 +18,10 @@ sources := Cargo.toml Cargo.lock pyproject.toml $(shell find crates -name Cargo.
 
 wasm := crates/archerfish-wasm/js/archerfish.wasm
 
-.PHONY: help demo test check lint docs wasm bench figures accuracy locks clean
+.PHONY: help demo test test-large check lint docs wasm miri fuzz bench figures accuracy locks clean
 
 help: ## Show this list
-	@sed -nE 's/^([a-z]+):[^#]*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
+	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
 
 demo: .venv/package ## Compute the locus of the README, its table, CSV and Figure 1, under out/
 	@mkdir -p out
@@ -31,6 +31,9 @@ demo: .venv/package ## Compute the locus of the README, its table, CSV and Figur
 test: .venv/test .venv/package $(if $(shell command -v node),$(wasm)) ## Run the Rust tests, then the Python tests
 	cargo test --workspace --locked --quiet
 	$(bin)/python -m pytest --quiet
+
+test-large: .venv/test .venv/package ## Run what needs 5 GB of memory: arrays of 10⁸ elements
+	$(bin)/python -m pytest --quiet python/tests/boundary/large.py
 
 check: ## Run the linters, the documentation's examples and the tests, as CI does
 	@$(MAKE) --no-print-directory lint
@@ -50,6 +53,18 @@ docs: .venv/test .venv/package ## Build the Rust pages without a warning; run ev
 	$(bin)/python -m pytest --quiet --doctest-glob='*.md' README.md docs
 
 wasm: $(wasm) ## Build the kernels for browsers and node
+
+miri: ## Watch every memory access of the core and of the boundary's block loop (nightly Rust)
+	rustup toolchain install nightly --profile minimal --component miri,rust-src
+	MIRIFLAGS=-Zmiri-permissive-provenance cargo +nightly miri test --locked --lib \
+		--package archerfish --package archerfish-python
+
+fuzz_seconds := 600
+fuzz: ## Search for arguments that break a kernel's laws, ten minutes a family (nightly Rust)
+	rustup toolchain install nightly --profile minimal
+	cargo install cargo-fuzz --locked --quiet
+	for family in real lambert motion flight; do \
+		cargo +nightly fuzz run $$family -- -max_len=512 -max_total_time=$(fuzz_seconds); done
 
 bench: .venv/test .venv/package ## Time and compare with the textbook forms and other libraries
 	$(bin)/python -m bench.compare

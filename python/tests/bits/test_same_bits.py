@@ -1,5 +1,6 @@
 """Every instruction set, and WebAssembly, give the same bits."""
 
+import gzip
 import json
 import os
 import shutil
@@ -86,3 +87,7 @@ if NODE is not None:
         assert module.exists(), "build it first: make wasm"
         answer = printed([NODE, HERE / "digests.mjs", WASM / "kernels.js", module, folder])
         assert answer["digests"] == baseline
+
+    def test_webassembly_is_small_on_its_way():
+        # As servers send it: the kernels stand in it unfolded, and fold well.
+        assert len(gzip.compress((WASM / "archerfish.wasm").read_bytes())) <= 60_000
