@@ -86,6 +86,7 @@ export class Controls {
     scale?: (state: State) => LogScale,
     spoken: (state: State) => string = (state) => short(read(state)),
   ): void {
+    let shown = NaN;
     slider?.addEventListener("input", () => {
       const position = Number(slider.value);
       this.#change(write(scale ? scale(this.#store.state).value(position) : position));
@@ -106,11 +107,11 @@ export class Controls {
         if (slider.value !== position) slider.value = position;
         slider.setAttribute("aria-valuetext", spoken(state));
       }
-      const text = fieldText(value);
-      if (document.activeElement !== field || parsed(field.value) !== value) {
-        if (field.value !== text) field.value = text;
-        field.removeAttribute("aria-invalid");
-      }
+      // What was typed stays until the number itself changes, also where it was refused.
+      if (value === shown) return;
+      shown = value;
+      field.value = fieldText(value);
+      field.removeAttribute("aria-invalid");
     });
   }
 

@@ -22,7 +22,7 @@ import { TakeAway } from "./take_away.ts";
 const ANGLE_STEPS = [0.5, 5] as const;
 const EPSILON_STEPS = [1, 10] as const;
 /** Text that is read aloud, the address and the tables follow when the hand rests, ms. */
-const REST = 250;
+const REST = 150;
 
 export class Explorer {
   readonly #store: Store;
@@ -192,8 +192,8 @@ export class Explorer {
   #cursor(panel: Panel): Handle {
     const drag = panel instanceof NamedPanel;
     const slider = byId<HTMLInputElement>("drag-slider");
-    const stepDrag = (by: number): void => {
-      slider.value = String(Number(slider.value) + by);
+    const slideTo = (position: number): void => {
+      slider.value = String(Math.min(Number(slider.max), Math.max(0, position)));
       slider.dispatchEvent(new Event("input"));
     };
     follow(panel.chart.host, (event) => {
@@ -210,8 +210,8 @@ export class Explorer {
       kind: "cursor",
       max: drag ? 1000 : 90,
       steps: drag ? EPSILON_STEPS : ANGLE_STEPS,
-      move: (by) => (drag ? stepDrag(by) : this.#turn(by)),
-      end: (which) => (drag ? stepDrag(which === "first" ? -Infinity : Infinity) : this.#turnTo(which)),
+      move: (by) => (drag ? slideTo(Number(slider.value) + by) : this.#turn(by)),
+      end: (which) => (drag ? slideTo(which === "first" ? -Infinity : Infinity) : this.#turnTo(which)),
     });
   }
 

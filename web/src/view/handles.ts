@@ -44,6 +44,8 @@ export class Handle {
       else return;
       event.preventDefault();
     });
+    // A finger on the knob drags it and does not scroll the page.
+    this.element.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     parent.append(this.element);
   }
 
