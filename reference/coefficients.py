@@ -202,9 +202,9 @@ def bearable_error(w):
 
 
 def principal_start():
-    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e)), for z ≥ −0.322."""
+    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e)), for z ≥ −0.3606."""
     end = -np.log(1 - 1 / np.e)
-    y = np.concatenate([np.linspace(0.26, 3, 2500), np.linspace(3, np.sqrt(709.79 + end), 2500)])
+    y = np.concatenate([np.linspace(0.105, 3, 2500), np.linspace(3, np.sqrt(709.79 + end), 2500)])
     logarithm = y * y - end
     y, logarithm = y[abs(logarithm) > 1e-2], logarithm[abs(logarithm) > 1e-2]
     # w + ln w = ln z for the great ones, which expm1 would overflow
@@ -213,8 +213,8 @@ def principal_start():
 
 
 def lower_start():
-    """(−1 − W₋₁(z))/η as a function of η = √(2(−1 − ln(−z))), for z ≥ −0.322."""
-    w = -np.concatenate([np.linspace(1.52, 4, 1500), np.geomspace(4, 752, 1500)])
+    """(−1 − W₋₁(z))/η as a function of η = √(2(−1 − ln(−z))), for z ≥ −0.3606."""
+    w = -np.concatenate([np.linspace(1.2, 4, 1500), np.geomspace(4, 752, 1500)])
     eta = np.sqrt(2 * (-w - np.log(-w) - 1))
     # the error of 1 + ηR is ηR/w of that of R
     return Start(eta, (-1 - w) / eta, bearable_error(w) * w / (1 + w), 4, 3)

@@ -5,7 +5,7 @@
 //! as a sum of two doubles.
 
 use crate::real::double_double::{DoubleDouble, fast_two_sum};
-use crate::real::{polynomial, select};
+use crate::real::{polynomial, select, sqrt};
 
 // principal_tail: minimax on [0.0, 0.501], degree 13,
 // weighted error 3.58e-18: reference/coefficients.py principal_tail
@@ -52,8 +52,10 @@ pub(super) const INVERSE_E: DoubleDouble =
 const TWO_E: DoubleDouble = DoubleDouble { hi: 5.43656365691809, lo: 2.8912937834585003e-16 };
 const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
 
-/// Offsets up to which the series of this file serve: |p| < 1/2.
+/// Offsets up to which the series serve for 1 + W: |p| < 1/2.
 pub(super) const NEAR: f64 = 0.045984;
+/// Offsets up to which they serve for W, in ordinary arithmetic: |p| < 1/5.
+pub(super) const CLOSE: f64 = 0.0073576;
 
 /// `√(2eδ)`; 0 for δ ≤ 0.
 #[inline(always)]
@@ -89,4 +91,18 @@ pub(super) fn principal_near(offset: DoubleDouble) -> DoubleDouble {
 pub(super) fn lower_near(offset: DoubleDouble) -> DoubleDouble {
     let p = root(offset).neg();
     series(p, polynomial(p.hi, &LOWER_TAIL))
+}
+
+/// `W₀(−1/e + δ)` for δ up to CLOSE; −1 for δ ≤ 0.
+#[inline(always)]
+pub(super) fn principal_close(offset: f64) -> f64 {
+    let p = sqrt(TWO_E.hi * select(offset > 0.0, offset, 0.0));
+    (p - p * p * (THIRD.hi - p * polynomial(p, &PRINCIPAL_TAIL))) - 1.0
+}
+
+/// `W₋₁(−1/e + δ)` for δ up to CLOSE; −1 for δ ≤ 0.
+#[inline(always)]
+pub(super) fn lower_close(offset: f64) -> f64 {
+    let p = -sqrt(TWO_E.hi * select(offset > 0.0, offset, 0.0));
+    (p - p * p * (THIRD.hi - p * polynomial(p, &LOWER_TAIL))) - 1.0
 }

@@ -3,18 +3,18 @@
 //! Method: near the branch point its series; elsewhere −w₀ = 1 + η R(η), η = √(2(−1 − ln(−z))),
 //! which is smooth even at the branch point, and one step.
 
-use super::branch::{INVERSE_E, NEAR, lower_near};
+use super::branch::{CLOSE, INVERSE_E, NEAR, lower_close, lower_near};
 use super::step::{correction, rough_ln};
 use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::real::{polynomial, select, sqrt};
 
-// lower_start: 0.34 of the error that can be borne: reference/coefficients.py lower_start
+// lower_start: 0.71 of the error that can be borne: reference/coefficients.py lower_start
 const LOWER_START_TOP: [f64; 5] =
-    [0.9990006798, 1.545478616, 0.6363287593, 0.1048867411, 0.0009347519875];
+    [0.9995551148, 1.535071764, 0.6231421455, 0.09941005262, 0.0002127198227];
 const LOWER_START_BOTTOM: [f64; 5] =
-    [1.0, 1.208489039, 0.2103489449, 0.001859972751, 6.662871886e-08];
+    [1.0, 1.199183553, 0.1995972682, 0.0004137939309, 7.849663027e-08];
 
-/// W₋₁ to few digits, for z in [−0.322, −5e-324].
+/// W₋₁ to few digits, for z in [−0.3606, −5e-324].
 #[inline(always)]
 fn start(z: f64) -> f64 {
     let subnormal = z > -f64::MIN_POSITIVE;
@@ -31,13 +31,10 @@ fn start(z: f64) -> f64 {
 /// gives −1.
 #[inline(always)]
 pub fn lambertwm1(z: f64) -> f64 {
-    let offset = two_sum(z, INVERSE_E.hi);
-    let offset = fast_two_sum(offset.hi, offset.lo + INVERSE_E.lo);
-    let v = lower_near(offset);
-    let near = two_sum(-1.0, v.hi);
+    let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
     let w = start(z);
     let far = w + correction(DoubleDouble::from(z), w);
-    let regular = select(offset.hi < NEAR, near.hi + (near.lo + v.lo), far);
+    let regular = select(offset < CLOSE, lower_close(offset), far);
     let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
     select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
 }

@@ -3,36 +3,37 @@
 //! Method: near the branch point its series; elsewhere w₀ = ln(1+z) R(y),
 //! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
 
-use super::branch::{INVERSE_E, NEAR, principal_near};
+use super::branch::{CLOSE, INVERSE_E, NEAR, principal_close, principal_near};
 use super::step::{correction, rough_ln_1p};
 use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::real::{polynomial, select, sqrt};
 
-// principal_start: 0.12 of the error that can be borne: reference/coefficients.py principal_start
+// principal_start: 0.18 of the error that can be borne: reference/coefficients.py principal_start
 const PRINCIPAL_START_TOP: [f64; 8] = [
-    2.179084844,
-    -0.3921840365,
-    0.8637300679,
-    -0.3539071888,
-    0.3873329139,
-    -0.1087194354,
-    0.03020555461,
-    0.006716097589,
+    2.179748376,
+    -0.2294353813,
+    0.7652975496,
+    -0.2540921441,
+    0.3593788241,
+    -0.104256673,
+    0.03504858493,
+    0.00612627332,
 ];
 const PRINCIPAL_START_BOTTOM: [f64; 8] = [
     1.0,
-    1.664747916,
-    0.2210173473,
-    -0.05647145672,
-    0.3006932073,
-    -0.06272012397,
-    0.0305597832,
-    0.006714002559,
+    1.744127204,
+    0.2954763167,
+    -0.05067542236,
+    0.3079657516,
+    -0.0607962086,
+    0.0353382365,
+    0.006124732064,
 ];
+
 /// −ln(1 − 1/e)
 const END: f64 = 0.45867514538708193;
 
-/// W₀ to few digits, for z ≥ −0.322.
+/// W₀ to few digits, for z ≥ −0.3606.
 #[inline(always)]
 fn start(z: f64) -> f64 {
     let logarithm = rough_ln_1p(z);
@@ -46,13 +47,10 @@ fn start(z: f64) -> f64 {
 /// z ≥ −1/e, below it NaN; the double nearest −1/e counts as the branch point and gives −1.
 #[inline(always)]
 pub fn lambertw0(z: f64) -> f64 {
-    let offset = two_sum(z, INVERSE_E.hi);
-    let offset = fast_two_sum(offset.hi, offset.lo + INVERSE_E.lo);
-    let v = principal_near(offset);
-    let near = two_sum(-1.0, v.hi);
+    let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
     let w = start(z);
     let far = w + correction(DoubleDouble::from(z), w);
-    let regular = select(offset.hi < NEAR, near.hi + (near.lo + v.lo), far);
+    let regular = select(offset < CLOSE, principal_close(offset), far);
     let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
     select(z >= -INVERSE_E.hi, regular, f64::NAN)
 }

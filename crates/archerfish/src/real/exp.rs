@@ -32,7 +32,7 @@ impl Exponential {
     #[inline(always)]
     pub fn of(x: f64) -> Self {
         let n = nearest_integer(x * core::f64::consts::LOG2_E);
-        let r = two_sum(x - n * LN2_HI, -(n * LN2_LO));
+        let r = fast_two_sum(x - n * LN2_HI, -(n * LN2_LO));
         let (head, rest) = split(r.hi);
         let tail = r.hi * r.hi * r.hi * polynomial(r.hi, &EXP_TAIL);
         // r²/2 = head²/2 + (r + head) rest/2; r.lo enters with its derivative 1 + r + …
