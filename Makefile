@@ -18,7 +18,13 @@ sources := Cargo.toml Cargo.lock pyproject.toml $(shell find crates -name Cargo.
 
 wasm := crates/archerfish-wasm/js/archerfish.wasm
 
-.PHONY: help demo test test-large check lint docs wasm miri fuzz bench figures accuracy locks clean
+# The explorer: its page goes into the package. Its unit tests run where there is a Node.js for them.
+explorer := python/archerfish/explorer/index.html
+explorer_sources := $(shell find web -name node_modules -prune -o -type f -print) \
+	crates/archerfish-wasm/js/kernels.js
+node := $(shell node -p 'process.versions.node.split(".")[0] >= 20 ? "node" : ""' 2> /dev/null)
+
+.PHONY: help demo explore test test-large test-model test-web check lint docs wasm wheel miri fuzz bench bench-web screens figures accuracy locks clean
 
 help: ## Show this list
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
@@ -28,9 +34,23 @@ demo: .venv/package ## Compute the locus of the README, its table, CSV and Figur
 	@$(bin)/archerfish locus --speed 10 --epsilon 0.1 \
 		--output out/locus.csv --figure out/figure1.svg --figure out/figure1.png
 
+explore: $(explorer) .venv/package ## Build the explorer's page, serve it on this machine, open a browser
+	@$(bin)/archerfish explore
+
+wheel: $(explorer) .venv/dev ## Build the wheel, the explorer's page in it, under dist/
+	@PATH="$(CURDIR)/$(bin):$$PATH" $(bin)/maturin build --release --locked --out dist
+
 test: .venv/test .venv/package $(if $(shell command -v node),$(wasm)) ## Run the Rust tests, then the Python tests
 	cargo test --workspace --locked --quiet
+	$(if $(node),@$(MAKE) --no-print-directory test-model)
 	$(bin)/python -m pytest --quiet
+
+test-model: $(wasm) web/node_modules/.package-lock.json ## Run the explorer's unit tests
+	npm --prefix web run --silent test
+
+test-web: $(explorer) .venv/package ## Check the explorer's types; try its page in Chromium
+	npm --prefix web run --silent check
+	npm --prefix web run --silent e2e
 
 test-large: .venv/test .venv/package ## Run what needs 5 GB of memory: arrays of 10⁸ elements
 	$(bin)/python -m pytest --quiet python/tests/boundary/large.py
@@ -38,6 +58,7 @@ test-large: .venv/test .venv/package ## Run what needs 5 GB of memory: arrays of
 check: ## Run the linters, the documentation's examples and the tests, as CI does
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory docs
+	@$(MAKE) --no-print-directory test-web
 	@$(MAKE) --no-print-directory test
 
 lint: .venv/dev .venv/package ## Check format, clippy, ruff, and mypy --strict, on the package and on user code
@@ -78,8 +99,14 @@ accuracy: .venv/test .venv/package ## Measure the worst errors and hold them aga
 locks: .venv/dev ## Choose the versions in requirements/*.lock anew
 	tools/lock
 
+bench-web: $(explorer) ## Time the explorer's frames, and weigh it
+	npm --prefix web run --silent bench
+
+screens: $(explorer) ## Take pictures of the explorer in each layout, under out/screenshots
+	npm --prefix web run --silent screenshots -- "$(CURDIR)/out/screenshots"
+
 clean: ## Remove what these tasks made
-	rm -rf .venv target out
+	rm -rf .venv target out web/node_modules python/archerfish/explorer
 
 # The environment. A file in it stands for each finished step, so that a second run is quick.
 
@@ -110,3 +137,12 @@ $(wasm): $(sources)
 	@RUSTFLAGS="-C target-feature=+simd128" cargo build --quiet --locked --package archerfish-wasm \
 		--profile wasm --target wasm32-unknown-unknown --target-dir target
 	@cp target/wasm32-unknown-unknown/wasm/archerfish.wasm $@
+
+web/node_modules/.package-lock.json: web/package.json web/package-lock.json
+	$(if $(node),,$(error make needs Node.js 20.19 or newer for the explorer: install it (https://nodejs.org), then run this again))
+	@echo "Installing the packages of the explorer"
+	@npm --prefix web ci --silent --no-audit --no-fund
+	@touch $@
+
+$(explorer): $(wasm) web/node_modules/.package-lock.json $(explorer_sources)
+	@npm --prefix web run --silent build

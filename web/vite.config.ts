@@ -7,7 +7,8 @@ export default defineConfig(({ mode }) => ({
   base: "./",
   plugins: [formulas(), contentSecurity(), ...(mode === "single" ? [singleFile()] : [])],
   build: {
-    outDir: "dist",
+    // Into the Python package, whose command serves it.
+    outDir: "../python/archerfish/explorer",
     emptyOutDir: mode !== "single",
     target: "es2022",
     modulePreload: { polyfill: false },

@@ -14,6 +14,7 @@ import numpy as np
 
 from archerfish import __version__
 from archerfish.cli.errors import RefusedValue
+from archerfish.cli.explore import explore
 from archerfish.cli.figure import figure
 from archerfish.cli.locus import locus
 from archerfish.cli.series import series
@@ -49,6 +50,7 @@ def archerfish(context: click.Context) -> None:
 archerfish.add_command(locus)
 archerfish.add_command(figure)
 archerfish.add_command(series)
+archerfish.add_command(explore)
 
 
 def main() -> None:
