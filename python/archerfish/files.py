@@ -14,14 +14,14 @@ def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
     then what was there is untouched and nothing is left behind.
     """
     target = Path(path)
-    if target.exists() and not target.is_file():
-        # A device or a pipe must not be replaced by a file. A folder raises here.
-        target.write_bytes(content)
-        return
-    # A link stays a link: the file it names is replaced.
-    target = target.resolve()
-    part = target.with_name(f".{target.name}.{os.urandom(4).hex()}.part")
     try:
+        if target.exists() and not target.is_file():
+            # A device or a pipe must not be replaced by a file. A folder raises here.
+            target.write_bytes(content)
+            return
+        # A link stays a link: the file it names is replaced.
+        target = target.resolve()
+        part = target.with_name(f".{target.name}.{os.urandom(4).hex()}.part")
         try:
             with part.open("xb") as stream:
                 stream.write(content)

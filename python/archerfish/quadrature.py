@@ -56,17 +56,14 @@ def integral(
 
 
 def _graded_edges(eps: FloatArray) -> list[FloatArray]:
-    """Edges (π/2)(q^{j/J} − 1)/ε with q = 1 + ε, from 0 to π/2; equal steps where ε is 0."""
+    """Edges (π/2)(q^{j/J} − 1)/ε with q = 1 + ε, from 0 to π/2; at weak drag equal steps."""
+    panels = _LEAST_PANELS + _PANELS_PER_E_FOLD * int(np.ceil(np.max(np.log1p(eps), initial=0.0)))
+    # So little drag moves no edge that matters, and the quotient below keeps its digits.
+    eps = np.maximum(eps, 1e-6)
     log_q = np.log1p(eps)
-    panels = _LEAST_PANELS + _PANELS_PER_E_FOLD * int(np.ceil(np.max(log_q, initial=0.0)))
-    edges = []
-    for j in range(panels + 1):
-        fraction = j / panels
-        grown = np.divide(
-            np.expm1(fraction * log_q), eps, out=np.full(eps.shape, fraction), where=eps > 0
-        )
-        edges.append(np.minimum(grown, 1.0) * (np.pi / 2))
-    return edges
+    return [
+        np.minimum(np.expm1(j / panels * log_q) / eps, 1.0) * (np.pi / 2) for j in range(panels + 1)
+    ]
 
 
 @cache

@@ -45,7 +45,8 @@ def real(name: str, value: object) -> Quantity:
             raise refusal
         if array.dtype.kind == "O":
             array = np.vectorize(float, otypes=[np.float64])(array)
-        array = array.astype(np.float64)
+        # Minus zero is zero: as a drag it must not lead to a terminal speed of −∞.
+        array = array.astype(np.float64) + 0.0
     except (TypeError, ValueError):
         raise refusal from None
     return frozen(array)

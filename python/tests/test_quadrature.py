@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from archerfish.launcher import Launcher
 from archerfish.quadrature import integral
 
 
@@ -20,6 +21,13 @@ def test_a_bend_on_the_scale_of_one_over_its_root():
     eps = np.array([0.5, 1.0, 1e3, 1e10, 1e100])
     found = integral(lambda a, e: np.sqrt(e) / (1 + e * a * a), 0.0, np.pi / 2, eps)
     np.testing.assert_allclose(found, np.arctan(np.sqrt(eps) * np.pi / 2), rtol=3e-14)
+
+
+@pytest.mark.parametrize("epsilon", [0.0, 5e-324, 1e-323, 1e-310, 1e-160, 1e-17])
+def test_weak_drag_down_to_the_least_double_changes_nothing(epsilon):
+    # Half the circumference of the drag-free ellipse: a peak at 45 degrees that wants its panels.
+    found = Launcher(1.0, gravity=1.0, epsilon=epsilon).locus.arc_length()
+    assert found == pytest.approx(1.2110560275684594, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize(("start", "stop"), [(0.0, np.pi), (0.3, 2.9), (2.0, 2.5), (2.5, 0.1)])

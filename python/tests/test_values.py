@@ -49,6 +49,11 @@ def test_the_message_names_value_and_bound(check, bad, bound):
             check("name", [1.0, value, 2.0])
 
 
+def test_minus_zero_is_zero():
+    assert str(real("epsilon", -0.0)) == "0.0"
+    assert not np.signbit(real("epsilon", [-0.0, 0.0])).any()
+
+
 def test_the_bounds_themselves():
     assert positive("x", 5e-324) == 5e-324
     assert not_negative("x", 0.0) == 0.0

@@ -58,6 +58,9 @@ def main() -> None:
     if hasattr(signal, "SIGPIPE"):
         # A reader that has seen enough (`| head`) ends this process, as it does any other tool.
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    if sys.stdout is None:
+        # Closed by whoever started this: what is written there goes nowhere.
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A terminal without Greek letters gets question marks, not an exception.
         sys.stdout.reconfigure(errors="replace")

@@ -145,6 +145,24 @@ def test_standard_output_that_is_full(tmp_path, unbuffered):
     assert done.returncode == 1
 
 
+def test_standard_output_that_is_closed(tmp_path):
+    done = subprocess.run(
+        ["bash", "-c", f"{sys.executable} -m archerfish {' '.join(SHOT)} --output a.csv >&-"],
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "a.csv").read_text().startswith("launch_angle_deg,")
+
+
+def test_a_device_that_is_full_is_named(command):
+    done = command(*SHOT, "--output", "/dev/full")
+    assert done.stderr == "archerfish: cannot write /dev/full: No space left on device\n"
+    assert done.returncode == 1
+
+
 def test_a_reader_that_stops_reading_ends_the_command_quietly(tmp_path):
     ask = f"{sys.executable} -m archerfish locus --speed 10 --epsilon 1 --points 50000 --format csv"
     done = subprocess.run(
