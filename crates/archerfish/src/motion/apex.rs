@@ -1,43 +1,45 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
 use super::launch::{Launch, Scaled, within_domain};
-use crate::real::double_double::{DoubleDouble, fast_two_sum};
-use crate::real::{Logarithm, angle};
+use crate::real::double_double::fast_two_sum;
+use crate::real::{Logarithm, angle, select};
 
 impl Launch {
     /// `x = sin α cos α / q`
     #[inline(always)]
-    fn x(&self) -> DoubleDouble {
-        self.sin.mul(self.cos).div(self.q())
+    fn x(&self) -> f64 {
+        self.sin.times(self.cos).quotient(self.q())
     }
 
     /// `y = sin²α φ(u)`, φ(u) being (1 − a)/(2 + u)
     #[inline(always)]
-    fn y(&self) -> DoubleDouble {
-        self.sin.square().mul(fast_two_sum(1.0, -self.a())).div(self.q_plus_one())
+    fn y(&self) -> f64 {
+        self.sin.squared().times(fast_two_sum(1.0, -self.a())).quotient(self.q_plus_one())
     }
 
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
-    fn time(&self) -> DoubleDouble {
-        let slowness = Logarithm::of(self.q()).value().div(self.u);
+    fn time(&self) -> f64 {
+        let u = self.u.round();
+        let slowed = self.sin.times(Logarithm::of(self.q()).value());
+        let divisor = fast_two_sum(self.u.hi, self.u.lo);
         // 1 + u has forgotten the end of a u this small, and 0/0 is at u = 0
-        let first_order = fast_two_sum(1.0, -0.5 * self.u.hi);
-        self.sin.mul(DoubleDouble::select(self.u.hi < 1e-15, first_order, slowness))
+        let first_order = self.sin.times(fast_two_sum(1.0, -0.5 * u));
+        select(u < 1e-15, first_order.round(), slowed.quotient(divisor))
     }
 
     /// `r = sin α √(cos²α + G² sin²α) / q`
     #[inline(always)]
-    fn distance(&self) -> DoubleDouble {
-        let stretch = self.cos.square().add(self.sin.mul(self.gain(self.a())).square());
-        self.sin.mul(stretch.sqrt()).div(self.q())
+    fn distance(&self) -> f64 {
+        let stretch = self.cos.squared().add(self.sin.times(self.gain(self.a())).squared());
+        self.sin.times(stretch.sqrt()).quotient(self.q())
     }
 
     /// θ, from `tan θ = G(u) tan α` with the denominator of G on the other side
     #[inline(always)]
-    fn elevation(&self) -> DoubleDouble {
-        let up = self.sin.mul(self.q().mul(fast_two_sum(1.0, -self.a())));
-        angle(up, self.cos.mul(self.q_plus_one()))
+    fn elevation(&self) -> f64 {
+        let up = self.sin.mul(self.q().times(fast_two_sum(1.0, -self.a())));
+        angle(up, self.cos.mul(self.q_plus_one())).round()
     }
 }
 
@@ -47,7 +49,7 @@ impl Launch {
 #[inline(always)]
 pub fn apex_x(alpha: f64, eps: f64) -> f64 {
     let scaled = Scaled::new(alpha, eps);
-    within_domain(alpha, eps, scaled.launch().x().round() * scaled.back)
+    within_domain(alpha, eps, scaled.launch().x() * scaled.back)
 }
 
 /// Height of the apex, `sin²α · φ(ε sin α)`, in V₀²/g.  [Eq. 8]
@@ -56,7 +58,7 @@ pub fn apex_x(alpha: f64, eps: f64) -> f64 {
 #[inline(always)]
 pub fn apex_y(alpha: f64, eps: f64) -> f64 {
     let scaled = Scaled::new(alpha, eps);
-    within_domain(alpha, eps, scaled.launch().y().round() * scaled.back * scaled.back)
+    within_domain(alpha, eps, scaled.launch().y() * scaled.back * scaled.back)
 }
 
 /// Time from launch to apex, `ln(1 + ε sin α)/ε`, in V₀/g.
@@ -65,14 +67,14 @@ pub fn apex_y(alpha: f64, eps: f64) -> f64 {
 #[inline(always)]
 pub fn apex_time(alpha: f64, eps: f64) -> f64 {
     let scaled = Scaled::new(alpha, eps);
-    within_domain(alpha, eps, scaled.launch().time().round() * scaled.back)
+    within_domain(alpha, eps, scaled.launch().time() * scaled.back)
 }
 
 /// Distance of the apex from the launch point, in V₀²/g.
 #[inline(always)]
 pub fn apex_distance(alpha: f64, eps: f64) -> f64 {
     let scaled = Scaled::new(alpha, eps);
-    within_domain(alpha, eps, scaled.launch().distance().round() * scaled.back)
+    within_domain(alpha, eps, scaled.launch().distance() * scaled.back)
 }
 
 /// Elevation θ of the apex seen from the launch point, in radians, in [0, π].  [Eq. 10]
@@ -81,5 +83,5 @@ pub fn apex_distance(alpha: f64, eps: f64) -> f64 {
 #[inline(always)]
 pub fn apex_elevation(alpha: f64, eps: f64) -> f64 {
     let scaled = Scaled::new(alpha, eps);
-    within_domain(alpha, eps, scaled.launch().elevation().round() * scaled.back)
+    within_domain(alpha, eps, scaled.launch().elevation() * scaled.back)
 }

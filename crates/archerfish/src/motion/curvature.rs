@@ -1,7 +1,7 @@
 //! Curvature of the locus: equation (19) and its like by launch angle.
 //!
-//! Method: with k = 1/q, p = u/q, m = n/q = k(1 − 2 sin²α) − p sin²α (n = 0 is the rightmost
-//! apex), `ρK = q (m² + 2 p cos²α m + sin²α cos²α (3 + k)) / (sin²α cos²α + m²)^{3/2}`.
+//! Method: with k = 1/q, p = 1 − k, m = n/q = k(1 − 2 sin²α) − p sin²α (n = 0 is the rightmost
+//! apex), `ρK = q (m (m + 2 p cos²α) + sin²α cos²α (3 + k)) / (sin²α cos²α + m²)^{3/2}`.
 //! All of it stays of moderate size for every ε, and the denominator is never near zero.
 
 use super::launch::{Launch, within_domain};
@@ -15,20 +15,19 @@ impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
     #[inline(always)]
     pub fn curvature(&self) -> f64 {
+        let one = DoubleDouble::from(1.0);
         let q = self.q();
-        let inverse = 1.0 / q.hi;
-        let k = DoubleDouble::from(1.0).div_by(q, inverse);
-        let p = self.u.div_by(q, inverse);
-        let (sin2, cos2) = (self.sin.square(), self.cos.square());
-        let sin2cos2 = sin2.mul(cos2);
-        let one_less = DoubleDouble::from(1.0).sub(sin2.scale(2.0));
-        let m = k.mul(one_less).sub(p.mul(sin2));
-        let m2 = m.square();
-        let denominator = sin2cos2.add(m2);
-        let numerator = m2.add(p.mul(cos2).mul(m).scale(2.0)).add(sin2cos2.mul(k.add_double(3.0)));
+        let k = one.div(q);
+        let p = one.sub(k);
+        let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
+        let sin2cos2 = sin2.times(cos2);
+        let m = k.times(one.sub(sin2.scale(2.0))).sub(p.times(sin2));
+        let denominator = sin2cos2.add(m.squared());
+        let numerator =
+            m.times(m.add(p.times(cos2).scale(2.0))).add(sin2cos2.times(k.add_double(3.0)));
         // far below the end of the range until the last multiplication, which may overflow
-        let scaled = numerator.div(denominator).mul(q.scale(SMALL)).div(denominator.sqrt());
-        scaled.round() * LARGE
+        let ratio = numerator.div(denominator);
+        ratio.times(q.scale(SMALL)).quotient(denominator.sqrt()) * LARGE
     }
 }
 

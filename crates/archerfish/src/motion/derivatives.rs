@@ -21,34 +21,35 @@ impl Elevated {
     /// On the locus cos α/cos θ is √Q and G is √Q sin θ/sin α; a is what then makes
     /// `P = cos²α + G (sin²α − cos²α/q)`.
     #[inline(always)]
-    fn launch_angle_d1(&self) -> DoubleDouble {
+    fn launch_angle_d1(&self) -> f64 {
         let launch = self.launch();
         let ratio = self.cos_ratio();
-        let gain = ratio.mul(self.sin_theta).div(launch.sin);
-        let (sin2, cos2) = (launch.sin.square(), launch.cos.square());
-        let slope = cos2.add(gain.mul(sin2.sub(cos2.div(launch.q()))));
-        ratio.square().div(slope)
+        let gain = ratio.times(self.sin_theta).div(launch.sin);
+        let (sin2, cos2) = (launch.sin.squared(), launch.cos.squared());
+        let slope = cos2.add(gain.times(sin2.sub(cos2.div(launch.q()))));
+        ratio.squared().quotient(slope)
     }
 }
 
 impl Launch {
     /// `d²α/dθ²`
     #[inline(always)]
-    fn launch_angle_d2(&self) -> DoubleDouble {
+    fn launch_angle_d2(&self) -> f64 {
         let drag = Drag::<DoubleDouble>::at(self.u);
         let (gain, sigma_plus_one) = (drag.gain(), drag.sigma_plus_one());
         let Drag { sigma_rest, rho, a, .. } = drag;
-        let (sin2, cos2) = (self.sin.square(), self.cos.square());
-        let b = sigma_rest.mul_double(self.epsilon).mul(sigma_rest).scale(0.5);
-        let p = b.mul(cos2.div(sigma_plus_one).sub(rho.mul(sin2.add(cos2.mul(sigma_rest)))));
+        let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
+        let b = sigma_rest.times_double(self.epsilon).times(sigma_rest).scale(0.5);
+        let p = b.times(cos2.div(sigma_plus_one).sub(rho.times(sin2.add(cos2.times(sigma_rest)))));
         let bracket = a
-            .mul(sigma_plus_one.sub(sigma_rest.mul(gain)))
-            .add(sigma_rest.mul(gain.add_double(1.0)));
-        let w = self.sin.mul(bracket).neg();
-        let slope = gain.add(cos2.mul(a));
-        let stretch = cos2.add(sin2.mul(gain.square()));
-        let difference = w.mul(slope).sub(p.mul(stretch));
-        self.cos.mul(difference).mul(stretch).div(slope.square().mul(slope))
+            .times(sigma_plus_one.sub(sigma_rest.times(gain)))
+            .add(sigma_rest.times(gain.add_double(1.0)));
+        let w = self.sin.times(bracket).neg();
+        let slope = gain.add(cos2.times(a));
+        let stretch = cos2.add(sin2.times(gain.squared()));
+        let difference = w.times(slope).sub(p.times(stretch));
+        let top = self.cos.times(difference).times(stretch);
+        top.quotient(slope.squared().mul(slope))
     }
 }
 
@@ -59,7 +60,7 @@ impl Launch {
 pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
     // 2 at θ = 0, where the ratio of sines is 0/0
     let Scaled { angle, epsilon, .. } = Scaled::new(theta, eps);
-    let regular = Elevated::new(angle, epsilon).launch_angle_d1().round();
+    let regular = Elevated::new(angle, epsilon).launch_angle_d1();
     within_domain(theta, eps, select(theta == 0.0, 2.0, regular))
 }
 
@@ -72,5 +73,5 @@ pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
     let tiny = (theta < TINY) & (eps < TINY);
     let (factor, back) = (select(tiny, LARGE, 1.0), select(tiny, SMALL, 1.0));
     let launch = Elevated::new(theta * factor, eps * factor).launch();
-    within_domain(theta, eps, launch.launch_angle_d2().round() * back)
+    within_domain(theta, eps, launch.launch_angle_d2() * back)
 }

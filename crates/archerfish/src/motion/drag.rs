@@ -56,16 +56,15 @@ impl<T: Number> Drag<T> {
         // beyond 2¹⁰⁰⁰ the power would not be normal; the rest is nothing, and τ is 1
         let power = power_of_two(-select(k > 1000.0, 1000.0, k));
         let low = q.lo * power;
-        let f = T::from_pair(fast_two_sum(m - 1.0, low));
+        let f = T::from_sum(m - 1.0, low);
         let s = f / (number(2.0) + f);
         let square = s * s;
-        let z = square.leading();
+        let z = square.nearest();
         let tail = z * polynomial(z, &ARTANH_TAIL);
-        let rho_s =
-            T::from_pair(fast_two_sum(THIRD.hi, tail)) + T::from_pair(DoubleDouble::from(THIRD.lo));
+        let rho_s = T::from_sum(THIRD.hi, tail) + number(THIRD.lo);
 
-        let denominator = T::from_pair(plus(2.0, u));
-        let u = T::from_pair(u);
+        let u = T::from_sum(u.hi, u.lo);
+        let denominator = number(2.0) + u;
         let inverse = number(1.0) / denominator;
         let (sigma, sigma_rest) = (u * inverse, number(2.0) * inverse);
 

@@ -9,7 +9,7 @@ pub(crate) struct Launch {
     pub sin: DoubleDouble,
     pub cos: DoubleDouble,
     pub epsilon: f64,
-    /// `u = ε sin α`
+    /// `u = ε sin α`, as it fell from the product
     pub u: DoubleDouble,
 }
 
@@ -17,7 +17,7 @@ impl Launch {
     /// In the direction (cos α, sin α).
     #[inline(always)]
     pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: f64) -> Self {
-        Launch { sin, cos, epsilon, u: sin.mul_double(epsilon) }
+        Launch { sin, cos, epsilon, u: sin.times_double(epsilon) }
     }
 
     /// At the angle α in [0, π].
@@ -48,7 +48,7 @@ impl Launch {
     /// `G(u) = (1 + u)(1 − a)/(2 + u)`
     #[inline(always)]
     pub fn gain(&self, a: f64) -> DoubleDouble {
-        self.q().mul(fast_two_sum(1.0, -a)).div(self.q_plus_one())
+        self.q().times(fast_two_sum(1.0, -a)).div(self.q_plus_one())
     }
 }
 

@@ -68,8 +68,8 @@ impl Elevated {
 
         let beta = rough_beta(sin_theta.hi, cos_theta.hi, epsilon);
         let (sin_beta, cos_beta) = sin_cos_reduced(DoubleDouble::from(beta));
-        let sin = sin_theta.mul(cos_beta).add(cos_theta.mul(sin_beta));
-        let cos = cos_theta.mul(cos_beta).sub(sin_theta.mul(sin_beta));
+        let sin = sin_theta.times(cos_beta).add(cos_theta.times(sin_beta));
+        let cos = cos_theta.times(cos_beta).sub(sin_theta.times(sin_beta));
         let launch = Launch::new(sin, cos, epsilon);
         let step = step(&launch, cos_theta, sin_beta, cos_beta.hi);
 
@@ -106,9 +106,9 @@ impl Elevated {
 
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
     #[inline(always)]
-    fn radius(&self) -> DoubleDouble {
-        let q = plus(1.0, self.sin.mul_double(self.epsilon));
-        self.sin.mul(self.cos).div(q.mul(self.cos_theta))
+    fn radius(&self) -> f64 {
+        let q = plus(1.0, self.sin.times_double(self.epsilon));
+        self.sin.times(self.cos).quotient(q.mul(self.cos_theta))
     }
 }
 
@@ -143,8 +143,9 @@ fn step(launch: &Launch, cos_theta: DoubleDouble, sin_beta: DoubleDouble, cos_be
     let drag = Drag::<f64>::at(launch.u);
     let Drag { sigma, sigma_rest, rho, a } = drag;
     // 1 − G is (1 + (1 + u) a)/(2 + u)
-    let rest = fast_two_sum(1.0, (1.0 + launch.u.hi) * a);
-    let value = cos_theta.mul(launch.sin).mul(rest).div(launch.q_plus_one()).sub(sin_beta).round();
+    let rest = fast_two_sum(1.0, (1.0 + launch.u.round()) * a);
+    let product = cos_theta.times(launch.sin).times(rest).div(launch.q_plus_one());
+    let value = (product.hi - sin_beta.hi) + (product.lo - sin_beta.lo);
     let rest = drag.gain_rest();
     let (cos_theta, sin, cos) = (cos_theta.hi, launch.sin.hi, launch.cos.hi);
     // a, e and h are spread times ρ and these
@@ -182,5 +183,5 @@ pub fn locus_launch_angle(theta: f64, eps: f64) -> f64 {
 #[inline(always)]
 pub fn locus_radius(theta: f64, eps: f64) -> f64 {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
-    within_domain(theta, eps, Elevated::new(angle, epsilon).radius().round() * back)
+    within_domain(theta, eps, Elevated::new(angle, epsilon).radius() * back)
 }

@@ -88,16 +88,58 @@ impl DoubleDouble {
     /// `self * b`, to 2⁻⁷⁸ of itself.
     #[inline(always)]
     pub fn mul(self, b: Self) -> Self {
-        let (a_head, a_tail) = split(self.hi);
-        let (b_head, b_tail) = split(b.hi);
-        let (a_tail, b_tail) = (a_tail + self.lo, b_tail + b.lo);
-        fast_two_sum(a_head * b_head, (a_head * b_tail + a_tail * b_head) + a_tail * b_tail)
+        let product = self.times(b);
+        fast_two_sum(product.hi, product.lo)
     }
 
     /// `self * b` where `b` is one double, to 2⁻⁷⁸ of itself.
     #[inline(always)]
     pub fn mul_double(self, b: f64) -> Self {
-        self.mul(DoubleDouble::from(b))
+        let product = self.times_double(b);
+        fast_two_sum(product.hi, product.lo)
+    }
+
+    /// `mul` with the parts left as they fall: `hi` alone is good to 2⁻²⁵ only. For what goes into
+    /// further products and sums, not for a divisor.
+    #[inline(always)]
+    pub fn times(self, b: Self) -> Self {
+        let (a_head, a_tail) = split(self.hi);
+        let (b_head, b_tail) = split(b.hi);
+        let (a_tail, b_tail) = (a_tail + self.lo, b_tail + b.lo);
+        DoubleDouble {
+            hi: a_head * b_head,
+            lo: (a_head * b_tail + a_tail * b_head) + a_tail * b_tail,
+        }
+    }
+
+    /// `mul_double`, left as it falls.
+    #[inline(always)]
+    pub fn times_double(self, b: f64) -> Self {
+        let (a_head, a_tail) = split(self.hi);
+        let (b_head, b_tail) = split(b);
+        let a_tail = a_tail + self.lo;
+        DoubleDouble {
+            hi: a_head * b_head,
+            lo: (a_head * b_tail + a_tail * b_head) + a_tail * b_tail,
+        }
+    }
+
+    /// `square`, left as it falls.
+    #[inline(always)]
+    pub fn squared(self) -> Self {
+        let (head, tail) = split(self.hi);
+        let tail = tail + self.lo;
+        DoubleDouble { hi: head * head, lo: tail * (2.0 * head + tail) }
+    }
+
+    /// `self / b`, rounded.
+    #[inline(always)]
+    pub fn quotient(self, b: Self) -> f64 {
+        let inverse = 1.0 / b.hi;
+        let quotient = self.hi * inverse;
+        let product = two_product(quotient, b.hi);
+        let rest = ((self.hi - product.hi) - product.lo) + (self.lo - quotient * b.lo);
+        quotient + rest * inverse
     }
 
     /// `self * b` where `b` is a power of two.
@@ -109,9 +151,8 @@ impl DoubleDouble {
     /// `self²`, to 2⁻⁷⁸ of itself.
     #[inline(always)]
     pub fn square(self) -> Self {
-        let (head, tail) = split(self.hi);
-        let tail = tail + self.lo;
-        fast_two_sum(head * head, tail * (2.0 * head + tail))
+        let square = self.squared();
+        fast_two_sum(square.hi, square.lo)
     }
 
     /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself.
@@ -156,8 +197,10 @@ pub(crate) trait Number:
     fn from_double(a: f64) -> Self;
     /// A sum of two doubles, as far as the type holds it.
     fn from_pair(pair: DoubleDouble) -> Self;
-    /// The leading double.
-    fn leading(self) -> f64;
+    /// `a + b`, where `a` is zero or the greater.
+    fn from_sum(a: f64, b: f64) -> Self;
+    /// The nearest double.
+    fn nearest(self) -> f64;
     /// `a` where the condition holds, else `b`.
     fn either(condition: bool, a: Self, b: Self) -> Self;
 }
@@ -172,7 +215,11 @@ impl Number for f64 {
         pair.round()
     }
     #[inline(always)]
-    fn leading(self) -> f64 {
+    fn from_sum(a: f64, b: f64) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn nearest(self) -> f64 {
         self
     }
     #[inline(always)]
@@ -191,8 +238,12 @@ impl Number for DoubleDouble {
         pair
     }
     #[inline(always)]
-    fn leading(self) -> f64 {
-        self.hi
+    fn from_sum(a: f64, b: f64) -> Self {
+        fast_two_sum(a, b)
+    }
+    #[inline(always)]
+    fn nearest(self) -> f64 {
+        self.round()
     }
     #[inline(always)]
     fn either(condition: bool, a: Self, b: Self) -> Self {
@@ -200,17 +251,17 @@ impl Number for DoubleDouble {
     }
 }
 
-/// Operators for the methods of the same names.
+/// Operators for methods.
 macro_rules! operators {
-    ($($trait:ident $method:ident;)+) => {$(
+    ($($trait:ident $operator:ident $method:ident;)+) => {$(
         impl $trait for DoubleDouble {
             type Output = Self;
             #[inline(always)]
-            fn $method(self, b: Self) -> Self {
+            fn $operator(self, b: Self) -> Self {
                 DoubleDouble::$method(self, b)
             }
         }
     )+};
 }
 
-operators! { Add add; Sub sub; Mul mul; Div div; }
+operators! { Add add add; Sub sub sub; Mul mul times; Div div div; }
