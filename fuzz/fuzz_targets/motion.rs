@@ -19,7 +19,8 @@ fuzz_target!(|bytes: &[u8]| {
 });
 
 fn check(angle: &[f64], eps: &[f64]) {
-    for (name, _) in BINARY.iter().filter(|(n, _)| n.starts_with("apex") || n.starts_with("locus")) {
+    for (name, _) in BINARY.iter().filter(|(n, _)| n.starts_with("apex") || n.starts_with("locus"))
+    {
         let values = binary(name, angle, eps);
         for i in 0..angle.len() {
             let (a, e) = (angle[i], eps[i]);
