@@ -77,7 +77,7 @@ export class Model {
       const top = this.shots.apex(Math.PI / 2, epsilon).y;
       this.#atEpsilon = { epsilon, reach, top };
     }
-    return {
+    const scene = {
       state,
       scales: scale,
       apex,
@@ -92,6 +92,18 @@ export class Model {
       dragFree: this.#dragFree,
       compared: state.compare.map((other, index) => this.#compared[index].update(other)),
     };
+    this.#prepare(scene);
+    return scene;
+  }
+
+  /** Computes what the layers draw, so that drawing finds it ready. */
+  #prepare(scene: Scene): void {
+    const { state, locus, scales: { epsilon } } = scene;
+    this.shot(scene);
+    if (shows(state, "fan")) this.fan(epsilon);
+    if (shows(state, "envelope")) this.envelope(scene);
+    if (shows(state, "ghost")) this.principal(locus);
+    if (shows(state, "points")) this.named(epsilon);
   }
 
   fan(epsilon: number): Flights {

@@ -37,6 +37,8 @@ export class Explorer {
   readonly #handles: { apex: Handle; direction: Handle };
   readonly #cursors: readonly Handle[];
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
+  /** What the last frame took, and when the first was drawn, ms: for measurements. */
+  readonly timings = { computing: 0, drawing: 0, interactive: 0 };
   #colors: Palette;
   #asked = false;
   #rest = 0;
@@ -72,6 +74,7 @@ export class Explorer {
     this.#dark.addEventListener("change", () => this.#recolor());
     new ResizeObserver(() => this.#ask()).observe(document.body);
     this.#draw();
+    this.timings.interactive = performance.now();
   }
 
   /** Shows a sentence above the page, or none. */
@@ -91,9 +94,9 @@ export class Explorer {
 
   #draw(): void {
     this.#asked = false;
-    performance.mark("compute");
+    const start = performance.now();
     const scene = this.#model.scene(this.#store.state);
-    performance.mark("draw");
+    const computed = performance.now();
     const charts = [this.#main.chart, ...this.#panels.map((panel) => panel.chart)];
     for (const chart of charts) chart.measure();
     this.#main.draw(scene);
@@ -105,7 +108,8 @@ export class Explorer {
     this.#formulas.show(scene);
     clearTimeout(this.#rest);
     this.#rest = window.setTimeout(() => this.#settle(scene), REST);
-    performance.mark("drawn");
+    this.timings.computing = computed - start;
+    this.timings.drawing = performance.now() - computed;
   }
 
   #settle(scene: Scene): void {
