@@ -11,7 +11,7 @@
 //! σ = (τ + s)/(1 + τ s). Then `artanh σ − σ = (k ln 2/2 − τ) + s³ ρ(s²) + τ s σ`: a sum of positive
 //! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
-use crate::real::double_double::{DoubleDouble, Number, fast_two_sum, two_sum};
+use crate::real::double_double::{DoubleDouble, Number};
 use crate::real::{LN2_HI, LN2_LO, exponent_and_mantissa, polynomial, power_of_two, select};
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
@@ -30,9 +30,11 @@ const ARTANH_TAIL: [f64; 11] = [
     0.07606561628673504,
 ];
 const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
-/// ln 2 / 2 − 1/3, where k ln 2/2 − τ would cancel
-const FIRST_EXCESS: DoubleDouble =
-    DoubleDouble { hi: 0.013240256946639321, lo: 3.0410896052784116e-20 };
+/// k ln 2/2 − τ for k = 1 and 2, where it would cancel: ln 2/2 − 1/3 and ln 2 − 3/5
+const FIRST_EXCESSES: [DoubleDouble; 2] = [
+    DoubleDouble { hi: 0.013240256946639321, lo: 3.0410896052784116e-20 },
+    DoubleDouble { hi: 0.09314718055994531, lo: 9.860076459598653e-19 },
+];
 
 /// Drag at one value of u = ε sin α.
 pub(crate) struct Drag<T> {
@@ -51,7 +53,9 @@ impl<T: Number> Drag<T> {
     #[inline(always)]
     pub fn at(u: DoubleDouble) -> Self {
         let number = T::from_double;
-        let q = plus(1.0, u);
+        // u as T holds it, everywhere: a hardly depends on u, but its parts must agree on one
+        let u = T::from_sum(u.hi, u.lo);
+        let q = u.plus_exactly(1.0);
         let (k, m) = exponent_and_mantissa(q.hi);
         // beyond 2¹⁰⁰⁰ the power would not be normal; the rest is nothing, and τ is 1
         let power = power_of_two(-select(k > 1000.0, 1000.0, k));
@@ -63,7 +67,6 @@ impl<T: Number> Drag<T> {
         let tail = z * polynomial(z, &ARTANH_TAIL);
         let rho_s = T::from_sum(THIRD.hi, tail) + number(THIRD.lo);
 
-        let u = T::from_sum(u.hi, u.lo);
         let denominator = number(2.0) + u;
         let inverse = number(1.0) / denominator;
         let (sigma, sigma_rest) = (u * inverse, number(2.0) * inverse);
@@ -71,7 +74,8 @@ impl<T: Number> Drag<T> {
         let tau = (number(1.0) - number(power)) / (number(1.0) + number(power));
         let half_k = number(0.5 * k);
         let first = (half_k * number(LN2_HI) - tau) + half_k * number(LN2_LO);
-        let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESS), first);
+        let first = T::either(k == 2.0, T::from_pair(FIRST_EXCESSES[1]), first);
+        let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESSES[0]), first);
         let excess = first + (square * s * rho_s + tau * s * sigma);
 
         // a = 2 (artanh σ − σ)(2 + u)/u², which is (1 − σ)(artanh σ − σ)/σ², and ρ = a/(σ(1 − σ))
@@ -105,11 +109,4 @@ impl<T: Number> Drag<T> {
     pub fn gain_rest(&self) -> T {
         (self.sigma_rest + self.sigma_plus_one() * self.a) * T::from_double(0.5)
     }
-}
-
-/// `a + b`
-#[inline(always)]
-pub(crate) fn plus(a: f64, b: DoubleDouble) -> DoubleDouble {
-    let sum = two_sum(a, b.hi);
-    fast_two_sum(sum.hi, sum.lo + b.lo)
 }

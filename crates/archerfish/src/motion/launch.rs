@@ -1,6 +1,6 @@
 //! One launch: the direction, and the drag it meets.
 
-use super::drag::{Drag, plus};
+use super::drag::Drag;
 use crate::real::double_double::{DoubleDouble, fast_two_sum};
 use crate::real::{select, sin_cos_extended};
 
@@ -30,13 +30,13 @@ impl Launch {
     /// `q = 1 + u`
     #[inline(always)]
     pub fn q(&self) -> DoubleDouble {
-        plus(1.0, self.u)
+        self.u.add_double(1.0)
     }
 
     /// `2 + u`
     #[inline(always)]
     pub fn q_plus_one(&self) -> DoubleDouble {
-        plus(2.0, self.u)
+        self.u.add_double(2.0)
     }
 
     /// `a`, all that drag's special function contributes to an apex.

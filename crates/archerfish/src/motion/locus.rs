@@ -9,7 +9,7 @@
 //! `tan β = (1 − g) sin θ cos θ / (g cos²θ + sin²θ)`. One step of fourth order on the equation for
 //! β leaves an error far below the last digit, and θ + β is rounded once.
 
-use super::drag::{Drag, plus};
+use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::real::{polynomial, select, sin_cos_extended, sin_cos_reduced, sqrt};
@@ -107,7 +107,7 @@ impl Elevated {
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
     #[inline(always)]
     fn radius(&self) -> f64 {
-        let q = plus(1.0, self.sin.times_double(self.epsilon));
+        let q = self.sin.times_double(self.epsilon).add_double(1.0);
         self.sin.times(self.cos).quotient(q.mul(self.cos_theta))
     }
 }

@@ -201,6 +201,8 @@ pub(crate) trait Number:
     fn from_sum(a: f64, b: f64) -> Self;
     /// The nearest double.
     fn nearest(self) -> f64;
+    /// `self + a` in two doubles, whatever the type.
+    fn plus_exactly(self, a: f64) -> DoubleDouble;
     /// `a` where the condition holds, else `b`.
     fn either(condition: bool, a: Self, b: Self) -> Self;
 }
@@ -221,6 +223,10 @@ impl Number for f64 {
     #[inline(always)]
     fn nearest(self) -> f64 {
         self
+    }
+    #[inline(always)]
+    fn plus_exactly(self, a: f64) -> DoubleDouble {
+        two_sum(a, self)
     }
     #[inline(always)]
     fn either(condition: bool, a: Self, b: Self) -> Self {
@@ -244,6 +250,10 @@ impl Number for DoubleDouble {
     #[inline(always)]
     fn nearest(self) -> f64 {
         self.round()
+    }
+    #[inline(always)]
+    fn plus_exactly(self, a: f64) -> DoubleDouble {
+        self.add_double(a)
     }
     #[inline(always)]
     fn either(condition: bool, a: Self, b: Self) -> Self {
