@@ -4,8 +4,8 @@ import { columnOf, linspace, type Column, type Kernels } from "./kernels.ts";
 import { radians } from "./numbers.ts";
 
 /** Points of a shot before its apex, and as many after: a fan's thin lines, the current one. */
-export const FAN_HALF = 60;
-export const SHOT_HALF = 1000;
+export const FAN_HALF = 32;
+export const SHOT_HALF = 200;
 /** Launch angles of the fan, degrees: those of Figure 1. */
 export const FAN_ANGLES: readonly number[] = Array.from({ length: 18 }, (_, index) => 5 * (index + 1));
 

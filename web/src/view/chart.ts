@@ -1,4 +1,4 @@
-/** A chart: axes as SVG, curves on two canvases (the lower one drawn rarely), handles on top. */
+/** A chart: axes as SVG, curves on a canvas above them, handles on top. */
 
 import { axisBottom, axisLeft, type Axis as D3Axis } from "d3-axis";
 import { scaleLinear } from "d3-scale";
@@ -34,7 +34,8 @@ const SVG = "http://www.w3.org/2000/svg";
 
 export class Chart {
   readonly host: HTMLElement;
-  readonly handles: SVGGElement;
+  /** Holds the handles: elements of their own, which move without anything being painted anew. */
+  readonly handles: HTMLElement;
   readonly x = scaleLinear();
   readonly y = scaleLinear();
   width = 0;
@@ -42,15 +43,13 @@ export class Chart {
   fontSize = 11;
   colors: Palette;
   readonly #options: ChartOptions;
-  readonly #svg: SVGSVGElement;
   readonly #back: SVGSVGElement;
   readonly #axes: SVGGElement;
-  readonly #base: HTMLCanvasElement;
-  readonly #live: HTMLCanvasElement;
+  readonly #canvas: HTMLCanvasElement;
   #axisLabels: { x: string; y: string };
   #extent: Extent = { x: [0, 1], y: [0, 1] };
-  #drawn: { base: Draw; live: Draw } | undefined;
-  #baseKey = "";
+  #drawn: Draw | undefined;
+  #key = "";
   #axesKey = "";
 
   constructor(host: HTMLElement, colors: Palette, options: ChartOptions) {
@@ -58,16 +57,13 @@ export class Chart {
     this.colors = colors;
     this.#options = options;
     this.#axisLabels = { x: options.x.label, y: options.y.label };
-    this.#base = document.createElement("canvas");
-    this.#live = document.createElement("canvas");
+    this.#canvas = document.createElement("canvas");
     this.#back = document.createElementNS(SVG, "svg");
     this.#back.setAttribute("aria-hidden", "true");
-    this.#svg = document.createElementNS(SVG, "svg");
     this.#axes = document.createElementNS(SVG, "g");
-    this.handles = document.createElementNS(SVG, "g");
+    this.handles = document.createElement("div");
     this.#back.append(this.#axes);
-    this.#svg.append(this.handles);
-    host.append(this.#back, this.#base, this.#live, this.#svg);
+    host.append(this.#back, this.#canvas, this.handles);
   }
 
   get margin(): { top: number; right: number; bottom: number; left: number } {
@@ -87,15 +83,16 @@ export class Chart {
     const font = parseFloat(getComputedStyle(this.host).fontSize) * (this.#options.fontScale ?? 1);
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const same = clientWidth === this.width && clientHeight === this.height && font === this.fontSize;
-    if (same && this.#base.width === Math.round(clientWidth * ratio)) return false;
+    if (same && this.#canvas.width === Math.round(clientWidth * ratio)) return false;
     [this.width, this.height, this.fontSize] = [clientWidth, clientHeight, font];
-    for (const canvas of [this.#base, this.#live]) {
-      canvas.width = Math.round(clientWidth * ratio);
-      canvas.height = Math.round(clientHeight * ratio);
-      canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
-    }
-    for (const svg of [this.#back, this.#svg]) svg.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
-    this.#baseKey = "";
+    this.#canvas.width = Math.round(clientWidth * ratio);
+    this.#canvas.height = Math.round(clientHeight * ratio);
+    // Pixel for pixel: a box of broken width would blur it.
+    this.#canvas.style.width = `${clientWidth}px`;
+    this.#canvas.style.height = `${clientHeight}px`;
+    this.#canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.#back.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
+    this.#key = "";
     this.#axesKey = "";
     return true;
   }
@@ -109,37 +106,35 @@ export class Chart {
     this.y.domain([...extent.y]).range([top + height, top]);
   }
 
-  /** Draws `base` where `key`, or the frame, is not that of the last time, and `live` always. */
-  draw(key: string, base: Draw, live: Draw): void {
-    this.#drawn = { base, live };
+  /** Draws where `key`, or the frame, is not that of the last time. */
+  draw(key: string, draw: Draw): void {
+    this.#drawn = draw;
     const axes = `${this.#extent.x} ${this.#extent.y} ${this.#axisLabels.x} ${this.#axisLabels.y}`;
     if (axes !== this.#axesKey) {
       this.#axesKey = axes;
       this.#drawAxes();
-      this.#baseKey = "";
+      this.#key = "";
     }
-    if (key !== this.#baseKey) {
-      this.#baseKey = key;
-      this.#paint(this.#base, base);
-    }
-    this.#paint(this.#live, live);
+    if (key === this.#key) return;
+    this.#key = key;
+    this.#paint(draw);
   }
 
   /** Everything is drawn anew next time: the theme has changed. */
   recolor(colors: Palette): void {
     this.colors = colors;
-    this.#baseKey = "";
+    this.#key = "";
     this.#axesKey = "";
   }
 
   /** The domain's coordinates of a pointer. */
   at(event: PointerEvent): { x: number; y: number } {
-    const box = this.#svg.getBoundingClientRect();
-    return { x: this.x.invert(event.clientX - box.left), y: this.y.invert(event.clientY - box.top) };
+    const { x, y } = this.pixels(event);
+    return { x: this.x.invert(x), y: this.y.invert(y) };
   }
 
   pixels(event: PointerEvent): { x: number; y: number } {
-    const box = this.#svg.getBoundingClientRect();
+    const box = this.host.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
@@ -191,8 +186,7 @@ export class Chart {
   /** The chart as SVG: what is on the screen, with its title, at `left`, `top` of a larger picture. */
   toSvg(left: number, top: number): string {
     const painter = new SvgPainter();
-    this.#drawn?.base(painter);
-    this.#drawn?.live(painter);
+    this.#drawn?.(painter);
     const { margin, plot, colors, fontSize } = this;
     const id = `clip-${left}-${top}`;
     return [
@@ -205,8 +199,8 @@ export class Chart {
     ].join("\n");
   }
 
-  #paint(canvas: HTMLCanvasElement, draw: Draw): void {
-    const context = canvas.getContext("2d");
+  #paint(draw: Draw): void {
+    const context = this.#canvas.getContext("2d");
     if (!context) return;
     context.clearRect(0, 0, this.width, this.height);
     context.save();

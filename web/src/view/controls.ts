@@ -13,7 +13,7 @@ import {
   type State,
   type Store,
 } from "../model/state.ts";
-import { byId, lineSample, make, setText } from "./dom.ts";
+import { byId, lineSample, make, setAttribute, setText, setValue } from "./dom.ts";
 import { compareStroke, type Palette } from "./palette.ts";
 
 const DRAG_UNITS: Record<DragKind, string> = { epsilon: "", drag_rate: "1/s", terminal_speed: "m/s" };
@@ -64,7 +64,7 @@ export class Controls {
     });
     this.#showing.push(({ state }) => {
       const found = Object.entries(PRESETS).find(([, preset]) => sameView(preset.state, state));
-      if (document.activeElement !== select || found) select.value = found?.[0] ?? "";
+      if (document.activeElement !== select || found) setValue(select, found?.[0] ?? "");
       setText(byId("about"), found?.[1].about ?? "");
     });
   }
@@ -73,7 +73,7 @@ export class Controls {
     const select = byId<HTMLSelectElement>(id);
     select.addEventListener("change", () => this.#change({ [key]: select.value }));
     this.#showing.push(({ state }) => {
-      select.value = state[key];
+      setValue(select, state[key]);
     });
   }
 
@@ -102,10 +102,9 @@ export class Controls {
       const value = read(state);
       if (slider) {
         const sliding = scale?.(state);
-        if (sliding) slider.max = String(sliding.last);
-        const position = String(sliding ? sliding.position(value) : value);
-        if (slider.value !== position) slider.value = position;
-        slider.setAttribute("aria-valuetext", spoken(state));
+        if (sliding) setAttribute(slider, "max", String(sliding.last));
+        setValue(slider, String(sliding ? sliding.position(value) : value));
+        setAttribute(slider, "aria-valuetext", spoken(state));
       }
       // What was typed stays until the number itself changes, also where it was refused.
       if (value === shown) return;
@@ -136,8 +135,8 @@ export class Controls {
     this.#showing.push(({ state, scales }) => {
       for (const radio of radios) radio.checked = radio.value === state.dragKind;
       setText(byId("drag-unit"), DRAG_UNITS[state.dragKind]);
-      slider.setAttribute("aria-label", DRAG_NAMES[state.dragKind]);
-      field.setAttribute("aria-label", `${DRAG_NAMES[state.dragKind]}, as a number`);
+      setAttribute(slider, "aria-label", DRAG_NAMES[state.dragKind]);
+      setAttribute(field, "aria-label", `${DRAG_NAMES[state.dragKind]}, as a number`);
       const parts = {
         epsilon: `ε = ${short(scales.epsilon, 5)}`,
         drag_rate: `b = ${short(scales.dragRate, 5)} /s`,
@@ -182,7 +181,7 @@ export class Controls {
     );
     this.#showing.push(({ state }) => {
       const known = [...place.options].find((option) => Number(option.value) === state.gravity);
-      if (document.activeElement !== place || known) place.value = known?.value ?? "own";
+      if (document.activeElement !== place || known) setValue(place, known?.value ?? "own");
     });
   }
 

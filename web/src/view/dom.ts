@@ -23,6 +23,16 @@ export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Sets an attribute, where it is another. */
+export function setAttribute(element: Element, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/** Sets the value of a control, where it is another. */
+export function setValue(control: HTMLInputElement | HTMLSelectElement, value: string): void {
+  if (control.value !== value) control.value = value;
+}
+
 /** A short sample of a line. */
 export function lineSample(stroke: { color: string; width: number; dash?: readonly number[] }): SVGSVGElement {
   const namespace = "http://www.w3.org/2000/svg";

@@ -6,6 +6,7 @@ import { degrees, short } from "../model/numbers.ts";
 import { dragSaidAs, type Store } from "../model/state.ts";
 import { toCsv, toPython, toWords } from "../model/text.ts";
 import { toHash } from "../model/url.ts";
+import { type Chart } from "./chart.ts";
 import { Controls } from "./controls.ts";
 import { byId, lineSample, make, setText } from "./dom.ts";
 import { Formulas } from "./formulas.ts";
@@ -41,6 +42,7 @@ export class Explorer {
   readonly timings = { computing: 0, drawing: 0, interactive: 0 };
   #colors: Palette;
   #asked = false;
+  #resized = true;
   #rest = 0;
 
   constructor(store: Store, model: Model) {
@@ -72,7 +74,12 @@ export class Explorer {
       this.#ask();
     });
     this.#dark.addEventListener("change", () => this.#recolor());
-    new ResizeObserver(() => this.#ask()).observe(document.body);
+    // Only then: asking for sizes in each frame would lay the page out twice.
+    const sizes = new ResizeObserver(() => {
+      this.#resized = true;
+      this.#ask();
+    });
+    for (const { host } of this.#charts) sizes.observe(host);
     this.#draw();
     this.timings.interactive = performance.now();
   }
@@ -97,8 +104,8 @@ export class Explorer {
     const start = performance.now();
     const scene = this.#model.scene(this.#store.state);
     const computed = performance.now();
-    const charts = [this.#main.chart, ...this.#panels.map((panel) => panel.chart)];
-    for (const chart of charts) chart.measure();
+    if (this.#resized) for (const chart of this.#charts) chart.measure();
+    this.#resized = false;
     this.#main.draw(scene);
     for (const panel of this.#panels) panel.draw(scene);
     this.#placeHandles(scene);
@@ -148,6 +155,10 @@ export class Explorer {
         ? wish.launchAngle
         : this.#model.shots.launchAngle(Math.min(Math.PI / 2, Math.max(0, wish.elevation)), this.#scales.epsilon);
     this.#store.change({ angle: Math.min(90, Math.max(0, Number(degrees(launchAngle).toFixed(3)))) });
+  }
+
+  get #charts(): readonly [Chart, ...Chart[]] {
+    return [this.#main.chart, ...this.#panels.map((panel) => panel.chart)];
   }
 
   get #scales(): Scene["scales"] {
@@ -222,7 +233,7 @@ export class Explorer {
   #takeAway(complain: (sentence: string | undefined) => void): void {
     const scene = (): Scene => this.#model.scene(this.#store.state);
     const view = {
-      charts: [this.#main.chart, ...this.#panels.map((panel) => panel.chart)] as const,
+      charts: this.#charts,
       caption: () => {
         const { state, scales } = scene();
         return (
@@ -234,7 +245,7 @@ export class Explorer {
       python: () => toPython(scene()),
       link: () => `${location.href.split("#")[0]}#${toHash(this.#store.state)}`,
     };
-    new TakeAway(view as never, complain);
+    new TakeAway(view, complain);
   }
 
   #namedLegend(): void {
@@ -252,7 +263,7 @@ export class Explorer {
   #recolor(): void {
     this.#applyTheme();
     this.#colors = palette();
-    for (const chart of [this.#main.chart, ...this.#panels.map((panel) => panel.chart)]) chart.recolor(this.#colors);
+    for (const chart of this.#charts) chart.recolor(this.#colors);
     this.#namedLegend();
     this.#ask();
   }

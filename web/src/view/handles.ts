@@ -1,6 +1,6 @@
 /** What can be taken hold of in a chart: a knob that mouse, finger and keys move. */
 
-const SVG = "http://www.w3.org/2000/svg";
+import { make, setAttribute } from "./dom.ts";
 
 export interface HandleOptions {
   readonly label: string;
@@ -15,25 +15,17 @@ export interface HandleOptions {
 
 /** A knob: a slider to assistive technology. */
 export class Handle {
-  readonly element: SVGGElement;
+  readonly element: HTMLElement;
 
-  constructor(parent: SVGGElement, { label, kind, max, steps, move, end }: HandleOptions) {
-    this.element = document.createElementNS(SVG, "g");
-    for (const name of ["reach", "knob"]) {
-      const circle = document.createElementNS(SVG, "circle");
-      circle.setAttribute("class", name);
-      circle.setAttribute("r", name === "reach" ? "15" : kind === "cursor" ? "4.5" : "7.5");
-      this.element.append(circle);
-    }
-    const attributes = {
+  constructor(parent: HTMLElement, { label, kind, max, steps, move, end }: HandleOptions) {
+    this.element = make("div", {
       class: `handle ${kind}`,
       role: "slider",
       tabindex: "0",
       "aria-label": label,
       "aria-valuemin": "0",
       "aria-valuemax": String(max),
-    };
-    for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
+    }, make("span", { class: "knob" }));
     this.element.addEventListener("keydown", (event) => {
       const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
       const page = { PageUp: 1, PageDown: -1 }[event.key];
@@ -50,9 +42,9 @@ export class Handle {
   }
 
   place([x, y]: readonly [number, number], value: number, text: string): void {
-    this.element.setAttribute("transform", `translate(${x.toFixed(2)},${y.toFixed(2)})`);
-    this.element.setAttribute("aria-valuenow", String(value));
-    this.element.setAttribute("aria-valuetext", text);
+    this.element.style.transform = `translate(${x.toFixed(2)}px,${y.toFixed(2)}px)`;
+    setAttribute(this.element, "aria-valuenow", String(value));
+    setAttribute(this.element, "aria-valuetext", text);
   }
 }
 
@@ -72,7 +64,7 @@ export function follow(
     host.setPointerCapture(event.pointerId);
     move(event);
     if (event.pointerType === "mouse") event.preventDefault();
-    const handle = event.target instanceof Element ? event.target.closest<SVGGElement>(".handle") : null;
+    const handle = event.target instanceof Element ? event.target.closest<HTMLElement>(".handle") : null;
     handle?.focus();
     const stop = (): void => {
       host.removeEventListener("pointermove", move);

@@ -61,8 +61,9 @@ class CurvePanel implements Panel {
     const { locus, dragFree, compared } = scene;
     const extent: Extent = { x: [0, 90], y: yExtent([locus, dragFree, ...compared]) };
     chart.frame(extent, xLabel ? { x: xLabel(scene) } : {});
-    const key = [locus.version, compared.map(({ epsilon }) => epsilon), scene.state.curvatureBy].join(" ");
-    const base = (painter: Painter): void => {
+    const [cursorX, cursorY] = cursor(scene);
+    const key = [locus.version, compared.map(({ epsilon }) => epsilon), scene.state.curvatureBy, cursorX].join(" ");
+    const draw = (painter: Painter): void => {
       const scale = { xScale: xScale?.(scene) ?? 1, yScale };
       const { colors } = chart;
       painter.stroke({ color: colors.ellipse, width: 1.4, dash: DASHES.ellipse }, (pen) =>
@@ -74,15 +75,12 @@ class CurvePanel implements Panel {
       painter.stroke({ color: colors.locus, width: 2 }, (pen) =>
         chart.curve(pen, xs(locus, scene), ys(locus), scale),
       );
-    };
-    const live = (painter: Painter): void => {
-      const [x, y] = cursor(scene);
-      painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
-        chart.rule(pen, x, extent.y[0], x, extent.y[1]);
-        chart.rule(pen, 0, y, x, y);
+      painter.stroke({ color: colors.shot, width: 1 }, (pen) => {
+        chart.rule(pen, cursorX, extent.y[0], cursorX, extent.y[1]);
+        chart.rule(pen, 0, cursorY, cursorX, cursorY);
       });
     };
-    chart.draw(key, base, live);
+    chart.draw(key, draw);
   }
 
   place(scene: Scene): [number, number] {
@@ -201,22 +199,20 @@ export class NamedPanel implements Panel {
   draw(scene: Scene): void {
     const { chart } = this;
     chart.frame({ x: NAMED_DECADES, y: [0, 90] });
-    const base = (painter: Painter): void => {
+    const x = this.#decade(scene);
+    const draw = (painter: Painter): void => {
       const { decades, angles } = this.#model.namedCurves();
       (Object.keys(NAMED) as NamedAngle[]).forEach((name, index) =>
         painter.stroke(namedStroke(chart.colors, index), (pen) =>
           chart.curve(pen, decades, angles[name], { yScale: TO_DEGREES }),
         ),
       );
-    };
-    const live = (painter: Painter): void => {
-      const x = this.#decade(scene);
       painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
         chart.rule(pen, x, 0, x, 90);
         chart.rule(pen, NAMED_DECADES[0], scene.state.angle, x, scene.state.angle);
       });
     };
-    chart.draw("named", base, live);
+    chart.draw(`${x} ${scene.state.angle}`, draw);
   }
 
   place(scene: Scene): [number, number] {

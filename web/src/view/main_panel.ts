@@ -41,13 +41,13 @@ export class MainPanel {
       scales.length,
       state.layers,
       scene.compared.map(({ epsilon }) => epsilon),
-      this.chart.width,
+      state.angle,
+      scene.time,
     ].join(" ");
-    this.chart.draw(
-      key,
-      (painter) => this.#base(painter, scene),
-      (painter) => this.#live(painter, scene),
-    );
+    this.chart.draw(key, (painter) => {
+      this.#base(painter, scene);
+      this.#live(painter, scene);
+    });
   }
 
   /** Where the handles belong, in pixels: the apex, and the tip of the arrow. */

@@ -3,7 +3,7 @@
 import { type Scene } from "../model/model.ts";
 import { short } from "../model/numbers.ts";
 import { type Store } from "../model/state.ts";
-import { byId, setText } from "./dom.ts";
+import { byId, setAttribute, setText, setValue } from "./dom.ts";
 
 /** Parts of the flight that a step takes, and that motion reduced to steps takes each half second. */
 const STEPS = 40;
@@ -34,8 +34,8 @@ export class Player {
     this.#flight = flightTime * scales.time;
     this.#time = time * scales.time;
     const position = String(Math.round((Number(this.#slider.max) * time) / (flightTime || 1)));
-    if (this.#slider.value !== position) this.#slider.value = position;
-    this.#slider.setAttribute("aria-valuetext", `${short(this.#time, 4)} seconds`);
+    setValue(this.#slider, position);
+    setAttribute(this.#slider, "aria-valuetext", `${short(this.#time, 4)} seconds`);
     setText(this.#output, `${short(this.#time, 4)} s`);
   }
 
