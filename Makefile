@@ -87,8 +87,8 @@ fuzz: ## Search for arguments that break a kernel's laws, ten minutes a family (
 	for family in real lambert motion flight; do \
 		cargo +nightly fuzz run $$family -- -max_len=512 -max_total_time=$(fuzz_seconds); done
 
-bench: .venv/test .venv/package ## Time and compare with the textbook forms and other libraries
-	$(bin)/python -m bench.compare
+bench: .venv/test .venv/package ## Time and compare with other libraries; renew the record and COMPARE.md
+	$(bin)/python -m bench.compare --record
 
 figures: .venv/package ## Draw every figure into out/figures
 	$(bin)/python -m archerfish.figures out/figures

@@ -18,7 +18,6 @@ EPSILONS = (1e-12, 1e-8, 1e-4, 0.1, 1.0, 2.0, 3.0, 10.0, 1e4)
 MARGIN = 0.01
 """Launch angles lie this far inside (0, π/2), radians; nearer to the ends all theirs are worse."""
 SEED = 2010
-BRANCH_POINT = -np.exp(-1.0)
 
 Table = dict[str, dict[str, float]]
 """Worst error by row and column."""
@@ -74,7 +73,7 @@ def formulas(count: int) -> Table:
         # (13) wants α(θ): it gets the exact one, rounded, which is more than its user has.
         launch = oracle.values("locus_launch_angle", theta, drag)
         true = oracle.values("locus_radius", theta, drag)
-        note("r by (13), principal W", eps, textbook.radius(theta, launch[0], eps), true)
+        note("r by (13), principal W", eps, textbook.principal_radius(theta, launch[0], eps), true)
         note("locus_radius", eps, archerfish.locus_radius(theta, eps), true)
 
         rounded = [exact(exact_range, float(angle), eps, bits=512) for angle in alpha]
@@ -98,8 +97,8 @@ def formulas(count: int) -> Table:
 def regions(count: int) -> dict[str, tuple[str, Array]]:
     """Where Lambert W is measured: a branch (``lambertw0`` or ``lambertwm1``) and arguments."""
     rng = np.random.default_rng(SEED)
-    near = BRANCH_POINT + 10.0 ** rng.uniform(-16, -6, count)
-    inner = BRANCH_POINT * rng.uniform(0, 1, count)
+    near = textbook.BRANCH_POINT + 10.0 ** rng.uniform(-16, -6, count)
+    inner = textbook.BRANCH_POINT * rng.uniform(0, 1, count)
     sign = rng.choice([-1.0, 1.0], count)
     return {
         "W₀, 10^[−8, 300]": ("lambertw0", 10.0 ** rng.uniform(-8, 300, count)),

@@ -1,7 +1,8 @@
 """The honest comparison: ``python -m bench.compare``.
 
 Prints the tables of COMPARE.md as measured here and now. With ``--record`` it also writes them,
-with the date and the machine, to ``bench/record/`` and puts them into COMPARE.md.
+with the date and the machine, to ``bench/record/``, puts them into COMPARE.md, and draws
+``docs/speed.svg`` and ``docs/scaling.svg``.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import scipy
 
 import archerfish
 from archerfish.files import write_whole
-from bench import accuracy, speed
+from bench import accuracy, peers, pictures, scaling, speed
 from bench.accuracy import Table
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -27,7 +28,7 @@ RECORDS = ROOT / "bench" / "record"
 DOCUMENT = ROOT / "COMPARE.md"
 
 
-def measured(count: int, elements: int, rounds: int) -> dict[str, Any]:
+def measured(count: int, elements: int, rounds: int, longest: int) -> dict[str, Any]:
     """Return everything the tables show, and where and when it was measured."""
     return {
         "about": {
@@ -43,11 +44,12 @@ def measured(count: int, elements: int, rounds: int) -> dict[str, Any]:
         # The inputs are chosen to overflow and to leave what their formulas can do.
         "formulas": quiet(accuracy.formulas, count),
         "lambert": quiet(accuracy.lambert, count),
-        "nanoseconds": quiet(speed.nanoseconds, elements, rounds),
+        "speed": quiet(speed.times, elements, rounds, peers.libraries()),
+        **quiet(scaling.measured, longest),
     }
 
 
-def quiet(function: Any, *arguments: int) -> Any:
+def quiet(function: Any, *arguments: Any) -> Any:
     """Call without NumPy's warnings: the tables say what they would."""
     with np.errstate(all="ignore"):
         return function(*arguments)
@@ -69,7 +71,8 @@ def tables(record: dict[str, Any]) -> dict[str, str]:
     return {
         "formulas": markdown(record["formulas"], "{:.0e}", "ε ="),
         "lambert": markdown(transposed(record["lambert"]), "{:.3g}", "argument"),
-        "speed": speed_table(record["nanoseconds"]),
+        "speed": speed_table(record["speed"]),
+        "scaling": scaling_table(record),
         "about": (
             f"Measured on {about['date']} on {about['processor']} ({about['instruction_set']} "
             f"kernels, one thread): archerfish {about['archerfish']}, Python {about['python']}, "
@@ -104,15 +107,46 @@ def shown(value: float, number: str) -> str:
     return re.sub(r"e([+-])0+(?=\d)", r"e\1", number.format(value)).replace("e+", "e")
 
 
-def speed_table(nanoseconds: dict[str, float]) -> str:
-    """Return a Markdown table of times, beside that of one logarithm."""
-    unit = nanoseconds["np.log"]
-    lines = ["| function | ns an element | in logarithms |", "|---|---|---|"]
-    for name, time in nanoseconds.items():
-        ours = hasattr(archerfish, name.split("(", 1)[0])
-        text = f"**{name}**" if ours else name
-        lines.append(f"| {text} | {time:.3g} | {time / unit:.3g} |")
+def speed_table(rows: speed.Rows) -> str:
+    """Return a Markdown table of times, kernel by kernel, ours in bold."""
+    lines = [
+        "| kernel | who | ns an element | in logarithms | at most |",
+        "|---|---|---|---|---|",
+    ]
+    for row_name, row in rows.items():
+        kernel, name = speed.kernel_and_name(row_name)
+        ours = name == "archerfish"
+        bar = f"{speed.BARS[kernel]:g}" if ours and kernel in speed.BARS else ""
+        time = f"{row['nanoseconds']:.3g} ± {row['spread']:.1g}"
+        names = (f"**{kernel}**", "archerfish") if ours else ("", name or kernel)
+        lines.append(f"| {names[0]} | {names[1]} | {time} | {row['logarithms']:.3g} | {bar} |")
     return "\n".join(lines)
+
+
+def scaling_table(record: dict[str, Any]) -> str:
+    """Return a Markdown table of what does not depend on the elements."""
+    lines = ["| | | measured | at most |", "|---|---|---|---|"]
+    for name, ratio in record["calls"].items():
+        if name != "arctan2":
+            lines.append(f"| call on one element, in np.arctan2's | {name} | {ratio:.2f} | 1.5 |")
+    for name, ratio in record["threads"].items():
+        lines.append(f"| two threads, times as fast | {name} | {ratio:.2f} | at least 1.8 |")
+    (memory,) = record["memory"].values()
+    lines.append(f"| memory beyond arguments and results | apex_y, 10⁷ | {memory:.2f} | 0 |")
+    for name, bar in (("import archerfish", "1.3"), ("archerfish locus", "2.5")):
+        ratio = record["starts"][name]
+        lines.append(f"| whole process, in `import numpy`'s | {name} | {ratio:.2f} | {bar} |")
+    return "\n".join(lines)
+
+
+def drawn(record: dict[str, Any]) -> dict[str, bytes]:
+    """Return the pictures by file name."""
+    prefix = "scaling of "
+    lengths = {n.removeprefix(prefix): row for n, row in record.items() if n.startswith(prefix)}
+    return {
+        "speed.svg": pictures.bars(record["speed"], record["about"]["instruction_set"]),
+        "scaling.svg": pictures.lengths(lengths),
+    }
 
 
 def updated(document: str, record: dict[str, Any]) -> str:
@@ -143,7 +177,7 @@ def subtables(name: str, table: dict[str, Any]) -> list[tuple[str, dict[str, Any
     """Return the table, or its rows where it has rows, under their TOML names."""
     if all(isinstance(cells, dict) for cells in table.values()):
         return [(f'{name}."{row}"', cells) for row, cells in table.items()]
-    return [(name, table)]
+    return [(f'"{name}"' if " " in name else name, table)]
 
 
 def literal(value: str | float) -> str:
@@ -163,11 +197,12 @@ def main() -> None:
     """Measure, print, and on request record."""
     parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
     parser.add_argument("--inputs", type=int, default=1000, help="inputs for each error")
-    parser.add_argument("--elements", type=int, default=1_000_000, help="array length for times")
-    parser.add_argument("--rounds", type=int, default=7, help="rounds for times")
+    parser.add_argument("--elements", type=int, default=200_000, help="array length for times")
+    parser.add_argument("--rounds", type=int, default=15, help="rounds for times")
+    parser.add_argument("--longest", type=int, default=10**8, help="longest array for scaling")
     parser.add_argument("--record", action="store_true", help="write bench/record and COMPARE.md")
     chosen = parser.parse_args()
-    record = measured(chosen.inputs, chosen.elements, chosen.rounds)
+    record = measured(chosen.inputs, chosen.elements, chosen.rounds, chosen.longest)
     for text in tables(record).values():
         print(text, end="\n\n")
     if chosen.record:
@@ -178,7 +213,9 @@ def main() -> None:
         write_whole(path, text.encode())
         document = updated(DOCUMENT.read_text(encoding="utf-8"), tomllib.loads(text))
         write_whole(DOCUMENT, document.encode())
-        print(f"wrote {path.relative_to(ROOT)} and COMPARE.md")
+        for name, picture in drawn(tomllib.loads(text)).items():
+            write_whole(ROOT / "docs" / name, picture)
+        print(f"wrote {path.relative_to(ROOT)}, COMPARE.md, docs/speed.svg and docs/scaling.svg")
 
 
 if __name__ == "__main__":

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
-import webbrowser
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from archerfish.cli.options import OUTPUT_PATH
 from archerfish.files import write_whole
+
+if TYPE_CHECKING:
+    from http.server import ThreadingHTTPServer
 
 #: Where the build of web/ leaves the page; a wheel brings it along.
 PAGE = Path(__file__).parent.parent / "explorer"
@@ -58,6 +59,8 @@ def explore(port: int, browser: bool, output: Path | None) -> None:
             click.echo(f"The explorer is at {address} (Ctrl-C ends it)")
             sys.stdout.flush()
             if browser and _has_screen():
+                import webbrowser
+
                 webbrowser.open(address)
             server.serve_forever()
     except KeyboardInterrupt:
@@ -66,32 +69,10 @@ def explore(port: int, browser: bool, output: Path | None) -> None:
 
 def page_server(folder: Path, port: int) -> ThreadingHTTPServer:
     """A server of the files of one folder, at 127.0.0.1; port 0 takes any that is free."""
-    return ThreadingHTTPServer(("127.0.0.1", port), partial(_Page, directory=str(folder)))
+    # Python's server takes as long to import as NumPy, and every command would wait for it.
+    from archerfish.cli.page_server import page_server
 
-
-class _Page(SimpleHTTPRequestHandler):
-    """Files and nothing else: no listing of folders, no line on the terminal for each request."""
-
-    # What a system's own table says of these differs, and browsers insist.
-    extensions_map = SimpleHTTPRequestHandler.extensions_map | {
-        ".css": "text/css",
-        ".html": "text/html; charset=utf-8",
-        ".js": "text/javascript",
-        ".wasm": "application/wasm",
-        ".woff2": "font/woff2",
-    }
-
-    def list_directory(self, path: str | os.PathLike[str]) -> None:  # noqa: ARG002
-        self.send_error(404, "File not found")
-
-    def end_headers(self) -> None:
-        self.send_header("X-Content-Type-Options", "nosniff")
-        self.send_header("Content-Security-Policy", "frame-ancestors 'none'")
-        self.send_header("Cache-Control", "no-cache")
-        super().end_headers()
-
-    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-        pass
+    return page_server(folder, port)
 
 
 def _has_screen() -> bool:

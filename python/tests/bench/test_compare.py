@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import archerfish
-from bench import accuracy, compare, speed, textbook
+from bench import accuracy, compare, contenders, scaling, speed, textbook
 
 OURS = ("apex_y", "locus_radius", "locus_launch_angle", "apex_curvature")
 
@@ -87,7 +87,31 @@ def test_timed_contenders_compute_the_same():
     np.testing.assert_allclose(textbook.radius(theta, alpha, eps), radius, **near)
 
 
-def test_every_contender_is_timed():
-    times = speed.nanoseconds(3200, 1)
-    assert all(time > 0.0 for time in times.values())
-    assert {name.split("(", 1)[0] for name in times} >= {*OURS, "lambertw0", "lambertwm1"}
+def test_every_kernel_is_timed_and_most_have_company():
+    rows = speed.times(640, 1)
+    kernels = [speed.kernel_and_name(name) for name in rows]
+    ufuncs = {n for n in archerfish.__all__ if isinstance(getattr(archerfish, n), np.ufunc)}
+    assert {kernel for kernel, name in kernels if name == "archerfish"} == ufuncs
+    assert {kernel for kernel, name in kernels if name != "archerfish"} >= {*OURS, "lambertw0"}
+    assert all(row["nanoseconds"] > 0.0 for row in rows.values())
+    assert rows[speed.UNIT]["logarithms"] == 1.0
+
+
+@pytest.mark.parametrize("answer", [1.1, np.nan])
+def test_a_wrong_answer_is_not_timed(answer):
+    right = np.ones(10)
+    contenders.Contender("tree", "somebody", lambda: right, right, 1e-6).check()
+    with pytest.raises(ValueError, match="somebody for tree must be within 1e-06"):
+        contenders.Contender("tree", "somebody", lambda: right * answer, right, 1e-6).check()
+
+
+def test_cost_is_measured_at_every_length():
+    for row in scaling.by_length(10).values():
+        assert set(row) == {"1", "10"}
+        assert row["1"] > row["10"] > 0.0
+
+
+def test_pictures_show_the_record():
+    pictures = compare.drawn(compare.latest())
+    assert set(pictures) == {"speed.svg", "scaling.svg"}
+    assert all(b"<svg" in picture for picture in pictures.values())

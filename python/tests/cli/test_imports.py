@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-HEAVY = {"matplotlib", "sympy", "scipy", "pandas", "mpmath"}
+HEAVY = {"matplotlib", "sympy", "scipy", "pandas", "mpmath", "http"}
 
 
 def imported(*arguments):
