@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from flint import arb, ctx
 
-from reference.ball import OutsideDomainError, exponent, precision
+from reference.ball import OutsideDomainError, exact, exponent, precision
 
 Value = arb | tuple[arb, arb]
 
@@ -36,7 +36,10 @@ def bits_lost(*sizes: arb) -> int:
 
 def drift(t: arb, eps: arb) -> arb:
     """(1 - e^(-εt))/ε: how far a shot gets without gravity."""
-    return -(-eps * t).expm1() / eps if eps != 0 else t
+    if eps == 0:
+        return t
+    w = eps * t
+    return ((1 - (-w).exp()) if w > 1 else -(-w).expm1()) / eps
 
 
 def fall(t: arb, eps: arb) -> arb:
@@ -90,7 +93,7 @@ def root(function: Callable[[arb], arb], low: arb, high: arb, bits: int) -> arb:
         low, high = (low, middle) if above(middle) else (middle, high)
     at_low, at_high = function(low).mid(), function(high).mid()
     before, f_before, t, f = low, at_low, high, at_high
-    for _ in range(200):
+    for _ in range(4000):
         if f == f_before:
             break
         step = (f * (t - before) / (f - f_before)).mid()
@@ -225,8 +228,81 @@ def envelope_height(x: float, eps: float) -> Value | float:
         return rise - drop, rise.max(drop)
 
 
+# Aiming --------------------------------------------------
+
+
+def direction(x: float, up: arb) -> arb:
+    """The launch angle of a direction, measured on through the upright for backward ones."""
+    turn = arb.atan2(up, abs(arb(x)))
+    return arb.pi() - turn if x < 0 else turn
+
+
+def sensitivity(x: float, y: float, eps: float, t: arb, up: arb) -> arb:
+    """The greatest change of the angle for a relative change of x, y or ε by one, but no more than
+    by what the last digits of x, y and ε do at the envelope, where the angle goes with a root.
+    """
+    way, drop = drift(t, arb(eps)), fall(t, arb(eps))
+    k, s, c = (-arb(eps) * t).exp(), up / way, abs(arb(x)) / way
+    margin = way * abs(k - s * way).max(k * arb(2) ** -26)
+    by_x, by_y = abs(arb(x)) * abs(s * k - way), abs(arb(y)) * c * k
+    return by_x.max(by_y).max(abs(way * way - 2 * drop * k) * c) / margin
+
+
+def aim(x: float, y: float, eps: float, high: bool) -> Value:
+    """At time t all shots are on the circle of radius drift(t) about (0, -fall(t)); the two arcs
+    are those with the target on it, and between them it is inside. The time where
+    e^(-εt) = y + fall(t) lies between them.
+    """
+    demand(abs(x) < math.inf and -math.inf < y < math.inf and is_drag(eps))
+    top = exact(envelope_height, x, eps)
+    height = 0.0 if abs(top.hi) <= 1e-9 * top.ulp else top.hi
+    demand(not math.isnan(height) and height > -math.inf)
+    if x == 0 and y == 0 and not high:
+        return arb(0)
+    if x == 0 and y <= 0 and not high:
+        return -arb.pi() / 2
+    size = arb(x).mid() if x else arb(y)
+    with precision(2 * (ctx.prec + 64 + bits_lost(arb(eps), size, arb(y)))):
+        bits = ctx.prec // 2
+        side, up_to, e = arb(x), arb(y), arb(eps)
+        rise, _ = touching(x, eps)
+        # by the crate's rule a target above the envelope by its last digits is on it
+        demand(not up_to - height > (rise + abs(height)) * arb(2) ** -51)
+
+        def inside(t: arb) -> arb:
+            way, up = drift(t, e), up_to + fall(t, e)
+            return way * way - side * side - up * up
+
+        def before(t: arb) -> arb:
+            return (-e * t).exp() - fall(t, e) - up_to
+
+        if y >= height:
+            way = (side * side + rise * rise).sqrt()
+            t = -(1 - e * way).log() / e if eps else way
+            return direction(x, rise), sensitivity(x, y, eps, t, rise).max(1)
+        middle = root(before, arb(2) ** -4000, arb(2) ** 4000, bits).mid()
+        if not inside(middle) > 0:
+            up = up_to + fall(middle, e)
+            return direction(x, up), sensitivity(x, y, eps, middle, up).max(1)
+        if high:
+            t = root(inside, middle, arb(2) ** 4000, bits)
+        else:
+            t = root(inside, arb(2) ** -4000, middle, bits)
+        up = up_to + fall(t, e)
+        return direction(x, up), sensitivity(x, y, eps, t, up)
+
+
+def aim_low(x: float, y: float, eps: float) -> Value:
+    return aim(x, y, eps, high=False)
+
+
+def aim_high(x: float, y: float, eps: float) -> Value:
+    return aim(x, y, eps, high=True)
+
+
 FLIGHT = "v' = (0, -1) - epsilon v from speed 1 at the launch angle alpha"
 OF_TERM = "ulp of the larger of it and the greater of"
+OF_INPUT = "ulp of the larger of it and what a relative change of an argument by one makes of it"
 DEFINITIONS = {
     "flight_time": f"the time T > 0 at which the height of {FLIGHT} is 0 again",
     "flight_range": f"the abscissa of {FLIGHT} where its height is 0 again",
@@ -238,4 +314,8 @@ DEFINITIONS = {
     "optimal_angle": f"the launch angle of the greatest range of {FLIGHT}",
     "envelope_height": "the greatest height at the abscissa x, over all launch angles, of "
     f"{FLIGHT}; {OF_TERM} its rise without gravity and its fall",
+    "aim_low": f"the launch angle of the earlier of the two arcs of {FLIGHT} through (x, y); "
+    f"{OF_INPUT}",
+    "aim_high": f"the launch angle of the later of the two arcs of {FLIGHT} through (x, y); "
+    f"{OF_INPUT}",
 }

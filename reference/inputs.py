@@ -367,6 +367,27 @@ def abscissa(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
     return signed(lambda rng, _: reach(rng, drag))(rng, count), drag
 
 
+def target(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
+    """Places of shots in every direction at every time, and places next to the envelope."""
+    t, alpha, drag = moment(rng, count)
+    t = np.minimum(t, 1e6)
+    w = np.maximum(t * drag, 1e-9)
+    way = -t * np.expm1(-w) / w
+    fallen = np.where(w < 1e-4, t * t / 2, t * (t - way) / w)
+    x, y = way * np.cos(alpha), way * np.sin(alpha) - fallen
+    near_top = rng.random(count) < 0.25
+    off = np.abs(reach(rng, drag))
+    end = np.maximum(1 - (drag * off) ** 2, 1e-16)
+    sine = end / (drag * off * off + np.sqrt(off * off + end))
+    longest = 1 / (sine + drag)
+    v = drag * longest
+    psi = np.where(v < 1e-4, 0.5 + v / 3, (-np.log(sine * longest) - v) / np.maximum(v, 1e-9) ** 2)
+    top = longest * (sine - longest * psi)
+    below = log_uniform(2.0**-50, 2.0**2)(rng, count)
+    x = np.where(near_top, np.copysign(off, x), x)
+    return x, np.where(near_top, top - below * np.abs(top), y), drag
+
+
 TIMES = [0.0, TINY, 1e-310, 1e-20, 0.1, 1.0, 30.0, 1e10, 1e300]
 SOME_ANGLES = [-TURN, -HALF_PI, -0.5, -TINY, 0.0, TINY, 1e-8, 0.7, HALF_PI, 2.0, PI, 4.0, TURN]
 SOME_DRAGS = [0.0, TINY, 1e-20, 0.1, 2.0, 1e8, 1e300]
@@ -392,6 +413,19 @@ ABSCISSA = Arguments(
 DRAG_ALONE = unary(
     mixture((6, DRAG), (2, log_uniform(1e-3, 30)), (1, near(2.0**40, 1)), (1, near(2.0**40, -1))),
     [*DRAGS, *neighbours(2.0**40, 1e-8, 1.0), 1e-162, 1e-154, 1e154, *ENDS, -TINY, -1.0],
+)
+
+TARGET = Arguments(
+    target,
+    [
+        (s * x, y, e)
+        for x in [0.0, TINY, 1e-20, 0.1, 1.0, 10.0]
+        for s in (-1, 1)
+        for y in [-1e5, -0.1, -TINY, 0.0, 1e-20, 0.1, 0.5]
+        for e in SOME_DRAGS
+    ]
+    + [(np.inf, 0.1, 0.1), (0.1, np.inf, 0.1), (0.1, -np.inf, 0.1), (0.1, 0.1, -TINY)]
+    + [(np.nan, 0.1, 0.1), (0.1, np.nan, 0.1), (0.1, 0.1, np.nan), (0.1, 0.1, np.inf)],
 )
 
 # Hard cases --------------------------------------------------

@@ -66,6 +66,8 @@ FLIGHT: dict[str, Function] = {
         ("trajectory_height", "x alpha epsilon", inputs.CURVE),
         ("optimal_angle", "epsilon", inputs.DRAG_ALONE),
         ("envelope_height", "x epsilon", inputs.ABSCISSA),
+        ("aim_low", "x y epsilon", inputs.TARGET),
+        ("aim_high", "x y epsilon", inputs.TARGET),
     ]
 }
 

@@ -10,6 +10,8 @@ The functions are NumPy ufuncs, in units of V₀²/g (length) and V₀/g (time),
 
 from archerfish import _core, _ufunc_docs
 from archerfish._core import (
+    aim_high,
+    aim_low,
     apex_curvature,
     apex_distance,
     apex_elevation,
@@ -47,6 +49,8 @@ __all__ = [
     "ApexLocus",
     "Launcher",
     "__version__",
+    "aim_high",
+    "aim_low",
     "apex_curvature",
     "apex_distance",
     "apex_elevation",

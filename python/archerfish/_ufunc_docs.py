@@ -23,6 +23,7 @@ THETA = {"theta": "Polar angle θ of the apex seen from the launch point, in rad
 EPS = {"eps": "Drag parameter ε = b V₀ / g, without unit, at least 0 and finite."}
 DIRECTION = {"alpha": "Launch angle α in radians, in [−2π, 2π]: any direction, downwards too."}
 TIME = {"t": "Time since the launch in V₀/g, at least 0 and finite."}
+TARGET = {"x": "Abscissa of the target in V₀²/g.", "y": "Height of the target in V₀²/g."}
 BY_LAUNCH_ANGLE = ALPHA | EPS
 BY_ELEVATION = THETA | EPS
 
@@ -273,6 +274,28 @@ array([45.        , 43.70969218, 35.58969411, 15.82872145])
         """\
 >>> archerfish.envelope_height([0.0, 0.5, 1.0], 0.1)
 array([ 0.46898202,  0.33056445, -0.09470809])
+""",
+    ),
+    "aim_low": UfuncDoc(
+        TARGET | EPS,
+        "Launch angle of the lower, faster arc through the target (x, y).",
+        "Radians, in [-π/2, π/2] for x ≥ 0, in (π/2, 3π/2] for x < 0. NaN where the target lies\n"
+        "    above `envelope_height(x, eps)`; on it, to two or three units in the last place,\n"
+        "    both arcs are one. The launch point itself counts as straight ahead.",
+        "The angle at which the circle of all shots of one instant passes through the target.",
+        """\
+>>> np.degrees(archerfish.aim_low([0.5, -0.5, 0.5], [0.0, 0.0, -1.0], 0.1))
+array([ 15.59933028, 164.40066972, -52.28502372])
+""",
+    ),
+    "aim_high": UfuncDoc(
+        TARGET | EPS,
+        "Launch angle of the higher, slower arc through the target (x, y).",
+        "As `aim_low`. Straight up for a target right above, which is met on the way down.",
+        "The angle at which the circle of all shots of one instant passes through the target.",
+        """\
+>>> np.degrees(archerfish.aim_high([0.5, -0.5, 0.5], [0.0, 0.0, -1.0], 0.1))
+array([ 72.81004359, 107.18995641,  77.73680911])
 """,
     ),
 }

@@ -57,4 +57,6 @@ table! { TERNARY: TernaryBatch;
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
+    aim_low(x, y, eps) = flight::aim_low;
+    aim_high(x, y, eps) = flight::aim_high;
 }

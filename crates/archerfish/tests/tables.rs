@@ -77,7 +77,7 @@ fn functions_of_two_numbers() {
 
 #[test]
 fn functions_of_three_numbers() {
-    assert_eq!(batch::TERNARY.len(), 3);
+    assert_eq!(batch::TERNARY.len(), 5);
     for (name, function) in batch::TERNARY {
         compare(name, MOTION, |rows| {
             let mut out = vec![0.0; rows.len()];

@@ -40,6 +40,8 @@ TABLE: dict[str, dict[str, tuple[float, float]]] = {
     "trajectory_height": {"x": (0.0, 0.05), "alpha": (-1.0, 1.0), "eps": EPSILON},
     "optimal_angle": {"eps": EPSILON},
     "envelope_height": {"x": (-0.09, 0.09), "eps": EPSILON},
+    "aim_low": {"x": (-0.09, 0.09), "y": (-1.0, -0.1), "eps": EPSILON},
+    "aim_high": {"x": (-0.09, 0.09), "y": (-1.0, -0.1), "eps": EPSILON},
 }
 
 Array = npt.NDArray[np.float64]

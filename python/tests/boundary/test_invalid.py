@@ -25,6 +25,8 @@ OUTSIDE_FLIGHT = {
     "envelope_height": [(10.1, 0.1), (-3.0, 0.5), (np.inf, 0.0), (0.5, -1e-300), (0.5, np.inf)],
     "flight_x": [(-1e-300, 1.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (1.0, 1.0, -1.0)],
     "flight_y": [(-1e-300, 1.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (1.0, 1.0, -1.0)],
+    "aim_low": [(0.5, np.inf, 0.1), (0.5, 0.5, 0.1), (10.1, -1.0, 0.1), (0.1, 0.1, -1.0)],
+    "aim_high": [(0.5, np.inf, 0.1), (0.5, 0.5, 0.1), (10.1, -1.0, 0.1), (0.1, 0.1, -1.0)],
     "trajectory_height": [(10.1, 0.0, 0.1), (-1.0, 1.0, 0.1), (1.0, 6.3, 0.1), (0.1, 1.0, -1.0)],
 }
 
@@ -114,6 +116,8 @@ def test_no_flag_for_any_legal_number(name, ufunc, draw):
             ufunc(np.array(tiny)[:, None], np.array([*tiny, 1.0, 1e15]))
         elif name == "trajectory_height":
             ufunc(np.array(tiny)[:, None], 0.5, np.array([*tiny, 1.0, 1e15]))
+        elif name in {"aim_low", "aim_high"}:
+            ufunc(np.array(tiny)[:, None, None], np.array(tiny)[:, None], [*tiny, 1.0, 1e15])
         elif ufunc.nin == 3:
             ufunc(np.array([*tiny, 1.0, 1e150])[:, None, None], angles[:, None], tiny + huge)
         elif ufunc.nin == 2:

@@ -53,6 +53,10 @@ impl Touching {
     #[inline(always)]
     pub fn height(&self) -> f64 {
         let y = height_after(self.way, self.sin, self.psi);
+        // where the terms are equal but for what they are rounded by, they are meant to be: a
+        // drag-free shot reaches x = 1 at y = 0
+        let noise = self.way.hi * self.sin.hi * f64::EPSILON * 1e-6;
+        let y = select(y.abs() < noise, 0.0, y);
         let y = select(self.rest == 0.0, f64::NEG_INFINITY, y);
         select(self.rest >= 0.0, y, f64::NAN)
     }

@@ -9,6 +9,7 @@
 //! `E₂(w) = (w − 1 + e⁻ʷ)/w²`. At time t all shots of one speed lie on a circle of radius t E₁ that
 //! has fallen by t² E₂.
 
+mod aim;
 mod domain;
 mod envelope;
 mod fall;
@@ -20,6 +21,7 @@ mod range;
 mod relaxation;
 mod time;
 
+pub use aim::{aim_high, aim_low};
 pub use envelope::envelope_height;
 pub use height::trajectory_height;
 pub use optimal_angle::optimal_angle;
