@@ -59,8 +59,8 @@ const FORMULAS: readonly Formula[] = [
       "y is rho over epsilon squared, times the difference of epsilon sine alpha and the logarithm of one plus epsilon sine alpha",
     general: `${y} = \\frac{${rho}}{${epsilon}^2}\\bigl(${epsilon}\\,${sin(alpha)} - \\ln(1 + ${epsilon}\\,${sin(alpha)})\\bigr)`,
     filled:
-      `= \\frac{${number("rho")}}{${numberEpsilon}^2}\\bigl(${numberEpsilon}\\sin ${numberAlpha}^\\circ - ` +
-      `\\ln(1 + ${numberEpsilon}\\sin ${numberAlpha}^\\circ)\\bigr) = ${number("y")}\\ \\mathrm{m}`,
+      `= \\frac{${number("rho")}}{${numberEpsilon}^2}\\bigl(${numberEpsilon}\\,\\sin ${numberAlpha}^\\circ - ` +
+      `\\ln(1 + ${numberEpsilon}\\,\\sin ${numberAlpha}^\\circ)\\bigr) = ${number("y")}\\ \\mathrm{m}`,
   },
   {
     id: "t",
@@ -70,7 +70,7 @@ const FORMULAS: readonly Formula[] = [
     general: `${t} = \\frac{${symbol("speed", "V_0")}}{${symbol("gravity", "g")}\\,${epsilon}}\\,\\ln(1 + ${epsilon}\\,${sin(alpha)})`,
     filled:
       `= \\frac{${number("speed")}}{${number("gravity")}\\,\\cdot\\, ${numberEpsilon}}\\,` +
-      `\\ln(1 + ${numberEpsilon}\\sin ${numberAlpha}^\\circ) = ${number("t")}\\ \\mathrm{s}`,
+      `\\ln(1 + ${numberEpsilon}\\,\\sin ${numberAlpha}^\\circ) = ${number("t")}\\ \\mathrm{s}`,
   },
   {
     id: "theta",

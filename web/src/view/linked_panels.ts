@@ -28,6 +28,7 @@ const TO_DEGREES = degrees(1);
 const angleAxis = (label: string): Axis => ({ label, ticks: ANGLE_TICKS });
 
 interface CurvePanelOptions {
+  readonly title: string;
   readonly name: string;
   readonly x: Axis;
   readonly y: Axis;
@@ -52,7 +53,7 @@ class CurvePanel implements Panel {
   constructor(host: HTMLElement, colors: Palette, options: CurvePanelOptions) {
     this.#options = options;
     this.name = options.name;
-    this.chart = new Chart(host, colors, { title: options.name, ...options });
+    this.chart = new Chart(host, colors, options);
   }
 
   draw(scene: Scene): void {
@@ -79,6 +80,7 @@ class CurvePanel implements Panel {
         chart.rule(pen, cursorX, extent.y[0], cursorX, extent.y[1]);
         chart.rule(pen, 0, cursorY, cursorX, cursorY);
       });
+      painter.fill(colors.shot, 1, (pen) => chart.dot(pen, cursorX, cursorY, 3.5));
     };
     chart.draw(key, draw);
   }
@@ -114,6 +116,7 @@ const byElevation = (x: number): Wish => ({ elevation: radians(x) });
 
 export function elevationPanel(host: HTMLElement, colors: Palette): Panel {
   return new CurvePanel(host, colors, {
+    title: "Elevation of the apex",
     name: "Elevation of the apex against launch angle",
     x: angleAxis("launch angle α (°)"),
     y: { label: "elevation θ (°)", ticks: ANGLE_TICKS },
@@ -129,6 +132,7 @@ export function elevationPanel(host: HTMLElement, colors: Palette): Panel {
 
 export function slopePanel(host: HTMLElement, colors: Palette): Panel {
   return new CurvePanel(host, colors, {
+    title: "First derivative",
     name: "First derivative of the launch angle by elevation",
     x: angleAxis("elevation θ (°)"),
     y: { label: "dα/dθ" },
@@ -143,6 +147,7 @@ export function slopePanel(host: HTMLElement, colors: Palette): Panel {
 
 export function bendPanel(host: HTMLElement, colors: Palette): Panel {
   return new CurvePanel(host, colors, {
+    title: "Second derivative",
     name: "Second derivative of the launch angle by elevation",
     x: angleAxis("elevation θ (°)"),
     y: { label: "d²α/dθ²" },
@@ -158,6 +163,7 @@ export function bendPanel(host: HTMLElement, colors: Palette): Panel {
 export function curvaturePanel(host: HTMLElement, colors: Palette): Panel {
   const byLaunch = (scene: Scene): boolean => scene.state.curvatureBy === "launch_angle";
   return new CurvePanel(host, colors, {
+    title: "Curvature",
     name: "Curvature of the locus",
     x: angleAxis("launch angle α (°)"),
     y: { label: "curvature ρK" },
@@ -185,7 +191,7 @@ export class NamedPanel implements Panel {
     this.#model = model;
     const [low, high] = NAMED_DECADES;
     this.chart = new Chart(host, colors, {
-      title: this.name,
+      title: "Named angles",
       x: {
         label: "drag parameter ε",
         ticks: Array.from({ length: high - low + 1 }, (_, index) => low + index).filter((d) => d % 1 === 0),

@@ -160,6 +160,7 @@ export class MainPanel {
       pen.moveTo(chart.x(0), chart.y(0));
       pen.lineTo(...direction);
     });
+    painter.fill(colors.locus, 1, (pen) => chart.dot(pen, apex.x * unit, apex.y * unit, 6));
     if (time > 0) {
       painter.fill(colors.shot, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 6));
       painter.fill(colors.paper, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 2.5));

@@ -106,9 +106,9 @@ export class SvgPainter implements Painter {
   }
 }
 
-/** Path data with two decimals: a hundredth of a pixel. */
+/** Path data with one decimal: a tenth of a pixel. */
 function tenths(path: string): string {
-  return path.replace(/-?\d+\.\d{3,}(e-?\d+)?/g, (number) => String(Number(Number(number).toFixed(2))));
+  return path.replace(/-?\d+\.\d{2,}(e-?\d+)?/g, (number) => String(Number(Number(number).toFixed(1))));
 }
 
 export function escaped(text: string): string {

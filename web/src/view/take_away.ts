@@ -70,15 +70,17 @@ function picture({ charts, caption }: View): { svg: string; width: number; heigh
   const [main, ...small] = charts;
   const { colors, fontSize } = main;
   const title = fontSize + 4;
-  const columns = Math.max(1, Math.min(small.length, Math.floor(main.width / (small[0]?.width ?? main.width))));
+  // As many beside each other as on the page.
+  const first = small[0]?.host.getBoundingClientRect().top;
+  const columns = Math.max(1, small.filter(({ host }) => host.getBoundingClientRect().top === first).length);
+  const width = Math.ceil(Math.max(main.width, columns * (small[0]?.width ?? 0)));
   const parts = [main.toSvg(0, title)];
   let top = title + main.height + GAP;
   for (let row = 0; row < small.length; row += columns) {
     const line = small.slice(row, row + columns);
-    line.forEach((chart, index) => parts.push(chart.toSvg(Math.round((index * main.width) / columns), top)));
+    line.forEach((chart, index) => parts.push(chart.toSvg(Math.round((index * width) / columns), top)));
     top += Math.max(...line.map((chart) => chart.height)) + GAP;
   }
-  const width = main.width;
   const height = Math.ceil(top + fontSize);
   const svg = [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">`,
