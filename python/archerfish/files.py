@@ -4,27 +4,37 @@ from __future__ import annotations
 
 import contextlib
 import os
+from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
-    """Write `content` to `path`: into a file beside it, onto the disk, then under its name.
+    """Write `content` to `path`; see `whole_file`."""
+    with whole_file(path) as stream:
+        stream.write(content)
+
+
+@contextlib.contextmanager
+def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """A stream into a file beside `path`, which then goes onto the disk and under its name.
 
     A reader sees the old file or the new one. Raises OSError where the path cannot be written;
-    then what was there is untouched and nothing is left behind.
+    then, or when the block raises, what was there is untouched and nothing is left behind.
     """
     target = Path(path)
     try:
         if target.exists() and not target.is_file():
             # A device or a pipe must not be replaced by a file. A folder raises here.
-            target.write_bytes(content)
+            with target.open("wb") as stream:
+                yield stream
             return
         # A link stays a link: the file it names is replaced.
         target = target.resolve()
         part = target.with_name(f".{target.name}.{os.urandom(4).hex()}.part")
         try:
             with part.open("xb") as stream:
-                stream.write(content)
+                yield stream
                 stream.flush()
                 os.fsync(stream.fileno())
             if target.exists():

@@ -2,9 +2,8 @@
 
 Every function takes the drag parameter ε (`epsilon`, a number or an array, at least 0 and finite)
 and returns a launch angle in radians, of the same shape, right to a few units of the last digit
-from ε = 0 to 1e300 (`greatest_range_angle`, where ε² occurs, takes no more than 1e150). Symbols are
-those of the paper (H. Hernández-Saldaña, Eur. J. Phys. 2010): s = sin α, u = ε s, q = 1 + u;
-lengths in V₀²/g, times in V₀/g.
+from ε = 0 to 1e300. Symbols are those of the paper (H. Hernández-Saldaña, Eur. J. Phys. 2010):
+s = sin α, u = ε s, q = 1 + u; lengths in V₀²/g, times in V₀/g.
 
 The conditions are written so that nothing cancels, neither as ε → 0 nor as ε → ∞: sums of terms
 that stay of the size of 1. They hold the only formulas of motion outside the Rust core.
@@ -91,23 +90,12 @@ def farthest_angle(epsilon: npt.ArrayLike) -> Quantity:
 
 
 def greatest_range_angle(epsilon: npt.ArrayLike) -> Quantity:
-    """Launch angle α of the longest shot over level ground, in radians; ε up to 1e150.
-
-    The condition is sin²α = ln(1+k)/k − φ(k) with k = ε/s. Both terms are apex quantities of the
-    vertical shot: its time and its height with drag parameter k.
+    """Launch angle α of the longest shot over level ground, in radians: `optimal_angle`.
 
     >>> bool(np.isclose(np.sin(greatest_range_angle(1.0)), 1 / np.expm1(1.0), rtol=1e-15))
     True
     """
-
-    def condition(alpha: FloatArray, eps: FloatArray) -> FloatArray:
-        s = np.sin(alpha)
-        k = eps / s
-        return np.asarray(_core.apex_time(_HALF_PI, k) - _core.apex_y(_HALF_PI, k) - s * s)
-
-    if np.any(np.asarray(epsilon) > 1e150):
-        raise ValueError(f"epsilon must be at most 1e150, got {np.max(epsilon)}")
-    return _solve(condition, epsilon)
+    return _number(_core.optimal_angle(not_negative("epsilon", epsilon)))
 
 
 def receding_angle(epsilon: npt.ArrayLike) -> Quantity:

@@ -44,15 +44,27 @@ def integral(
     # integrand, whose NaN is the answer.
     edges = [low, *(np.clip(edge, low, high) for edge in edges[1:-1]), high]
 
+    total = over_panels(lambda alpha: integrand(alpha, eps[..., np.newaxis]), edges)
+    return np.where(first <= last, total, -total)
+
+
+def over_panels(
+    integrand: Callable[[FloatArray], FloatArray], edges: list[FloatArray]
+) -> FloatArray:
+    """The integral from the first edge to the last, by Gauss-Legendre quadrature on each panel.
+
+    Edges are arrays of one shape; the integrand is called with arrays that have one more axis, the
+    last, for the nodes.
+    """
     nodes, weights = _gauss_legendre()
-    total = np.zeros(eps.shape)
+    total = np.zeros(np.shape(edges[0]))
     for left, right in pairwise(edges):
         if np.array_equal(left, right):
             continue
         half = 0.5 * (right - left)
-        alpha = (0.5 * (right + left))[..., np.newaxis] + half[..., np.newaxis] * nodes
-        total += half * (integrand(alpha, eps[..., np.newaxis]) @ weights)
-    return np.where(first <= last, total, -total)
+        variable = (0.5 * (right + left))[..., np.newaxis] + half[..., np.newaxis] * nodes
+        total += half * (integrand(variable) @ weights)
+    return total
 
 
 def _graded_edges(eps: FloatArray) -> list[FloatArray]:

@@ -35,6 +35,11 @@ def _fields(value: Any) -> tuple[Any, ...]:
     return tuple(getattr(value, field.name) for field in dataclasses.fields(value))
 
 
+def is_quantity(value: Any) -> bool:
+    """Whether `value` is a quantity of pint, or looks like one."""
+    return hasattr(value, "dimensionality") and hasattr(value, "magnitude")
+
+
 def real(name: str, value: object) -> Quantity:
     """`value` as a float, or as a read-only array of floats of its own."""
     refusal = TypeError(f"{name} must be a real number or an array of them, got {value!r}")
@@ -90,6 +95,13 @@ def not_negative(name: str, value: object) -> Quantity:
     """`value` if it is at least 0 and finite throughout."""
     numbers = real(name, value)
     _require(name, numbers, (numbers >= 0) & np.isfinite(numbers), "at least 0 and finite")
+    return numbers
+
+
+def finite(name: str, value: object) -> Quantity:
+    """`value` if it is finite throughout."""
+    numbers = real(name, value)
+    _require(name, numbers, np.isfinite(numbers), "finite")
     return numbers
 
 

@@ -130,18 +130,15 @@ def test_shapes_and_refusals(angle):
         angle(-0.1)
 
 
-def test_greatest_range_refuses_what_it_cannot_do():
-    assert named.greatest_range_angle(1e150) == pytest.approx(
-        np.log(1e150**2) / 1e150, rel=0.02, abs=0
-    )
-    with pytest.raises(ValueError, match=r"^epsilon must be at most 1e150, got 1e\+151$"):
-        named.greatest_range_angle([1.0, 1e151])
+def test_greatest_range_at_overwhelming_drag():
+    found = named.greatest_range_angle([1e150, 1e300])
+    expected = [2 * np.log(1e150) / 1e150, 2 * np.log(1e300) / 1e300]
+    np.testing.assert_allclose(found, expected, rtol=0.02)
 
 
 @pytest.mark.parametrize("angle", KNOWN)
 def test_falling_with_drag_from_the_first_to_the_greatest(angle):
-    top = 150 if angle is named.greatest_range_angle else 300
-    alpha = angle(np.concatenate([[0.0], np.logspace(-3, top, 500)]))
+    alpha = angle(np.concatenate([[0.0], np.logspace(-3, 300, 500)]))
     assert np.all(np.diff(alpha) < 0)
     assert np.all(alpha > 0)
 

@@ -1,0 +1,82 @@
+"""Quantities of pint: the same numbers, with units on them."""
+
+import numpy as np
+import pint
+import pytest
+
+from archerfish import Launcher
+
+UREG = pint.UnitRegistry()
+Q = UREG.Quantity
+PLAIN = Launcher(10.0, drag_rate=0.3)
+
+
+@pytest.fixture
+def launcher():
+    return Launcher(Q(36.0, "km/hour"), drag_rate=Q(18.0, "1/minute"))
+
+
+def test_any_unit_of_the_kind_is_taken(launcher):
+    assert launcher.speed == Q(10.0, "m/s")
+    assert launcher.epsilon.magnitude == pytest.approx(PLAIN.epsilon, rel=1e-15)
+    assert launcher.length_scale.to("cm").magnitude == pytest.approx(100 * PLAIN.length_scale)
+    with pytest.raises(pint.DimensionalityError):
+        Launcher(Q(1.0, "kg"), epsilon=0.1)
+
+
+def test_shots_answer_in_units(launcher):
+    shot = launcher.shot(Q(45, "degree"), height=Q(150, "cm"), wind=(Q(-2, "m/s"), Q(0, "m/s")))
+    plain = PLAIN.shot(np.radians(45), height=1.5, wind=(-2.0, 0.0))
+    for found, number, unit in (
+        (shot.range, plain.range, "m"),
+        (shot.flight_time, plain.flight_time, "s"),
+        (shot.apex.y, plain.apex.y, "m"),
+        (shot.landing.speed, plain.landing.speed, "m/s"),
+        (shot.landing.velocity.x, plain.landing.velocity.x, "m/s"),
+        (shot.landing.angle, plain.landing.angle, "rad"),
+        (shot.position(Q(200, "ms")).x, plain.position(0.2).x, "m"),
+        (shot.velocity(0.2).y, plain.velocity(0.2).y, "m/s"),
+        (shot.height_at(Q(300, "cm")), plain.height_at(3.0), "m"),
+        (shot.path_length(), plain.path_length(), "m"),
+        (shot.energy(Q(0.2, "s")).total, plain.energy(0.2).total, "J/kg"),
+        (shot.gradients.range.angle, plain.gradients.range.angle, "m/rad"),
+        (shot.gradients.apex_time.gravity, plain.gradients.apex_time.gravity, "s/(m/s**2)"),
+        (shot.propagate(speed=Q(10, "cm/s")).range, plain.propagate(speed=0.1).range, "m"),
+    ):
+        assert found.units == Q(1.0, unit).units
+        assert found.magnitude == pytest.approx(number, rel=1e-13)
+
+
+def test_aim_envelope_and_angles(launcher):
+    arcs = launcher.aim(Q(500, "cm"), Q(1, "m"))
+    plain = PLAIN.aim(5.0, 1.0)
+    assert arcs.reachable is True
+    assert arcs.low.angle.to("degree").magnitude == pytest.approx(np.degrees(plain.low.angle))
+    assert arcs.high.clearance_over(Q(3, "m"), Q(2, "m")).units == UREG.meter
+    assert arcs.low.angle_gradient.speed.units == Q(1.0, "rad/(m/s)").units
+    assert launcher.aim(Q(50, "m"), Q(50, "m")).margin.units == UREG.meter
+    assert launcher.minimum_speed(Q(9, "m"), 3.0).magnitude == pytest.approx(
+        PLAIN.minimum_speed(9.0, 3.0)
+    )
+    assert launcher.envelope.height(Q(3, "m")).magnitude == pytest.approx(
+        PLAIN.envelope.height(3.0)
+    )
+    assert launcher.locus.highest.y.units == UREG.meter
+    assert launcher.named_angles().longest_path.units == UREG.radian
+    assert launcher.front(Q(1, "s")).radius.units == UREG.meter
+
+
+def test_a_sphere_and_arrays():
+    mist = Launcher.from_sphere(
+        Q([10, 20], "µm"), Q(1, "g/cm**3"), Q(0.0181, "mPa*s"), Q(1.2, "g/l"), Q(20, "cm/s")
+    )
+    plain = Launcher.from_sphere([10e-6, 20e-6], 1000.0, 1.81e-5, 1.2, 0.2)
+    np.testing.assert_allclose(mist.drag_rate.to("1/s").magnitude, plain.drag_rate)
+    assert mist.reynolds_number.dimensionless
+    assert mist.shot(0.5).range.shape == (2,)
+    np.testing.assert_allclose(mist.plain.drag_rate, plain.drag_rate)
+
+
+def test_plain_numbers_stay_plain():
+    assert isinstance(PLAIN.shot(0.5).range, float)
+    assert type(Launcher(10.0, epsilon=0.1)) is Launcher
