@@ -13,11 +13,15 @@ import click
 import numpy as np
 
 from archerfish import __version__
+from archerfish.cli.aim import aim
+from archerfish.cli.angles import angles
+from archerfish.cli.envelope import envelope
 from archerfish.cli.errors import RefusedValue
 from archerfish.cli.explore import explore
 from archerfish.cli.figure import figure
 from archerfish.cli.locus import locus
 from archerfish.cli.series import series
+from archerfish.cli.shot import shot
 
 BAD_INPUT = 2
 FAILURE = 1
@@ -33,12 +37,16 @@ Examples:
   archerfish locus --speed 10 --terminal-speed 30 --output locus.csv --figure locus.svg
   archerfish figure 4 --output curvature.png
   archerfish series --of exact --order 6
+  archerfish shot --speed 10 --epsilon 0.1 --angle 45 --figure shot.svg
+  archerfish aim --speed 10 --epsilon 0.1 --x 6 --y 2
+  archerfish angles --epsilon 0.1
+  archerfish envelope --speed 10 --epsilon 0.1
 """,
 )
 @click.version_option(__version__, prog_name="archerfish")
 @click.pass_context
 def archerfish(context: click.Context) -> None:
-    """Projectile motion under gravity and linear drag: the locus of the apexes.
+    """Projectile motion under gravity and linear drag: shots, aiming and the locus of apexes.
 
     Angles are in degrees, everything else in SI units. `archerfish COMMAND --help` explains each
     command.
@@ -48,6 +56,10 @@ def archerfish(context: click.Context) -> None:
 
 
 archerfish.add_command(locus)
+archerfish.add_command(shot)
+archerfish.add_command(aim)
+archerfish.add_command(angles)
+archerfish.add_command(envelope)
 archerfish.add_command(figure)
 archerfish.add_command(series)
 archerfish.add_command(explore)

@@ -16,7 +16,7 @@ from archerfish.locus import ApexLocus, ApexPoints
 #: The apexes of a locus that have a name, by their attribute.
 NAMED_APEXES = ("highest", "rightmost", "farthest", "max_curvature")
 
-Columns = dict[str, list[float]]
+Columns = dict[str, list[Any]]
 
 
 def columns(points: ApexPoints) -> Columns:
@@ -38,8 +38,12 @@ def to_csv(table: Columns) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(table)
-    writer.writerows(zip(*(map(repr, values) for values in table.values()), strict=True))
+    writer.writerows(zip(*(map(_text, values) for values in table.values()), strict=True))
     return stream.getvalue()
+
+
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else repr(value)
 
 
 def to_json(launcher: Launcher, table: Columns) -> str:

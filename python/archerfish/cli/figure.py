@@ -65,7 +65,7 @@ def figure(
         click.echo(f"wrote {path}")
 
 
-def draw(number: int, paths: Iterable[Path], **options: Any) -> None:
+def draw(number: int | str, paths: Iterable[Path], **options: Any) -> None:
     """Draw one figure into each path; refuse all before writing any."""
     from archerfish import figures
     from archerfish.figures.registry import figure as registered

@@ -86,11 +86,22 @@ def points_table(title: str, points: Columns) -> str:
     return _render(table)
 
 
-def grid_table(title: str, headings: list[str], rows: list[list[str]]) -> str:
-    """A table of ready-made cells."""
+def definitions(rows: list[tuple[str, str]]) -> str:
+    """Names and what they are, one a line."""
+    grid = _grid()
+    for row in rows:
+        grid.add_row(*row)
+    return _render(grid)
+
+
+def grid_table(
+    title: str, headings: list[str], rows: list[list[str]], *, named_rows: bool = False
+) -> str:
+    """A table of ready-made cells; with `named_rows` the first column is one of names."""
     table = _table(title)
-    for heading in headings:
-        table.add_column(heading, justify="right", no_wrap=True)
+    for index, heading in enumerate(headings):
+        left = named_rows and index == 0
+        table.add_column(heading, justify="left" if left else "right", no_wrap=True)
     for row in rows:
         table.add_row(*row)
     return _render(table)

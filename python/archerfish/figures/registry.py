@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from . import figure1, figure2, figure3, figure4, figure5, figure6, style
+from . import figure1, figure2, figure3, figure4, figure5, figure6, shots, style
 
 
 @dataclass(frozen=True)
@@ -16,8 +16,8 @@ class Figure:
     data: Callable[..., Any]
     draw: Callable[[Any, Any], None]
     caption: Callable[[Any], str]
-    size: tuple[float, float]
-    """Width and height in inches, without the caption."""
+    size: tuple[float, float] | Callable[[Any], tuple[float, float]]
+    """Width and height in inches, without the caption; or what tells them of the data."""
     panels: Callable[[Any], int] | None = None
     """How many axes the data need, side by side."""
 
@@ -47,8 +47,19 @@ FIGURES: dict[int, Figure] = {
 }
 
 
-def figure(number: int) -> Figure:
-    """Return the figure of this number; ValueError where there is none."""
-    if number not in FIGURES:
+SHOT_FIGURES: dict[str, Figure] = {
+    "shot": Figure(shots.shot_data, shots.draw_shot, shots.caption_shot, shots.size),
+    "aim": Figure(shots.aim_data, shots.draw_aim, shots.caption_aim, shots.size),
+    "envelope": Figure(shots.envelope_data, shots.draw_fan, shots.caption_fan, shots.size),
+    "angles": Figure(shots.angles_data, shots.draw_fan, shots.caption_fan, shots.size),
+}
+"""Figures of what the user asks for, by name; they take no number."""
+
+
+def figure(number: int | str) -> Figure:
+    """Return the figure of this number or name; ValueError where there is none."""
+    if isinstance(number, str) and number in SHOT_FIGURES:
+        return SHOT_FIGURES[number]
+    if not isinstance(number, int) or number not in FIGURES:
         raise ValueError(f"figure must be from 1 to {max(FIGURES)}, got {number}")
     return FIGURES[number]

@@ -37,7 +37,7 @@ def caption(number: int, **options: Any) -> str:
 
 
 def save(
-    number: int,
+    number: int | str,
     path: str | os.PathLike[str],
     *,
     show_caption: bool = True,
@@ -46,6 +46,7 @@ def save(
 ) -> Path:
     """Draw figure ``number`` into ``path`` and return the path.
 
+    ``number`` may be the name ``shot``, ``aim``, ``envelope`` or ``angles`` of a figure of shots.
     The suffix of ``path`` chooses PNG, SVG or PDF; ``dpi`` is for PNG only. ``options`` go to the
     figure's data function (``launcher`` for figure 1, ``epsilons`` for the others). The same input
     gives the same bytes.
@@ -80,7 +81,7 @@ def render(
     text = chosen.caption(data)
     buffer = io.BytesIO()
     with style.context():
-        canvas = Canvas(figsize=chosen.size)
+        canvas = Canvas(figsize=chosen.size(data) if callable(chosen.size) else chosen.size)
         chosen.draw(new_axes(canvas, chosen, data), data)
         if show_caption:
             add_caption(canvas, text)

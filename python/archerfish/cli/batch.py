@@ -1,0 +1,333 @@
+"""A CSV in, a CSV out: the columns of the input, those of the answer, and a reason for each NaN.
+
+Rows are read, answered and written a block at a time, so that memory does not grow with the input.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import itertools
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, BinaryIO, TextIO
+
+import click
+import numpy as np
+import numpy.typing as npt
+
+from archerfish.cli.errors import RefusedValue
+from archerfish.cli.parameters import DRAGS, Parameter, Values
+from archerfish.files import whole_file
+
+BLOCK = 8192
+"""Rows answered at once."""
+TOLD = 20
+"""Bad rows told of one by one."""
+SLOW = 1.0
+"""Seconds after which a terminal gets a progress bar."""
+REASON = "reason"
+
+Answer = Mapping[str, Any]
+Compute = Callable[[Values], Answer]
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a command asks of each row.
+
+    `compute` takes arrays by parameter name and returns columns by name: numbers, or lists of text.
+    It raises ValueError or TypeError where a value is refused; `reason` then gets its sentence.
+    """
+
+    required: tuple[Parameter, ...]
+    optional: tuple[Parameter, ...]
+    columns: tuple[str, ...]
+    compute: Compute
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All of them."""
+        return self.required + self.optional
+
+
+@dataclass
+class _Tally:
+    """Rows so far, and how many of them were bad."""
+
+    command: str
+    rows: int = 0
+    bad: int = 0
+    lines: list[str] = field(default_factory=list)
+
+    def note(self, row: int, reason: str) -> None:
+        self.bad += 1
+        if self.bad <= TOLD:
+            self.lines.append(f"{self.command}: row {row}: {reason}")
+
+    def tell(self) -> None:
+        """Say what has not been said yet."""
+        for line in self.lines:
+            click.echo(line, err=True)
+        self.lines.clear()
+
+    def end(self) -> None:
+        self.tell()
+        if self.bad:
+            click.echo(
+                f"{self.command}: {self.bad} of {self.rows} rows are bad: NaN, with the reason in "
+                "the last column",
+                err=True,
+            )
+
+
+def run_batch(
+    question: Question, source: str, given: Values, output: Path | None, command: str
+) -> None:
+    """Answer every row of the CSV at `source` ('-': standard input) into `output`."""
+    with _opened(source) as (stream, size):
+        if output is None:
+            sys.stdout.flush()
+            _convert(question, stream, size, given, sys.stdout.buffer, command)
+            sys.stdout.flush()
+        else:
+            with whole_file(output) as target:
+                _convert(question, stream, size, given, target, command)
+            click.echo(f"wrote {output}")
+
+
+@contextlib.contextmanager
+def _opened(source: str) -> Iterator[tuple[TextIO, int | None]]:
+    """The input as text, and its size in bytes where that is known."""
+    try:
+        if source == "-":
+            raw: BinaryIO = sys.stdin.buffer
+            size = None
+        else:
+            raw = Path(source).open("rb")  # noqa: SIM115 - closed below, standard input is not
+            status = os.fstat(raw.fileno())
+            size = status.st_size or None
+    except OSError as error:
+        raise click.ClickException(f"cannot read {source}: {error.strerror}") from error
+    # Bytes that are not UTF-8 pass through as they are; a byte order mark is dropped.
+    text = io.TextIOWrapper(raw, "utf-8-sig", errors="surrogateescape", newline="")
+    try:
+        yield text, size
+    finally:
+        text.detach()
+        if source != "-":
+            raw.close()
+
+
+def _convert(
+    question: Question,
+    stream: TextIO,
+    size: int | None,
+    given: Values,
+    target: BinaryIO,
+    command: str,
+) -> None:
+    # A CSV that goes to the same terminal is progress enough.
+    shown = sys.stderr.isatty() and not (target is sys.stdout.buffer and sys.stdout.isatty())
+    reader = csv.reader(stream)
+    header = _header(reader, question, given)
+    text = io.TextIOWrapper(
+        target, "utf-8", errors="surrogateescape", newline="", write_through=True
+    )
+    try:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow([*header, *question.columns, REASON])
+        tally = _Tally(command)
+        with _progress(stream, size, shown) as advance:
+            for block in _blocks(reader, tally):
+                _answer_block(question, header, block, given, writer, tally)
+                advance(tally)
+        tally.end()
+        text.flush()
+    finally:
+        with contextlib.suppress(ValueError):
+            text.detach()
+
+
+def _header(reader: Iterator[list[str]], question: Question, given: Values) -> list[str]:
+    """The names of the columns; RefusedValue where they do not make a question."""
+    try:
+        header = [name.strip() for name in next(reader, [])]
+    except csv.Error as error:
+        raise _refused(f"the input is not CSV: {error}") from error
+    if not header:
+        raise _refused("the input must start with a line of column names, got nothing")
+    for name in header:
+        if header.count(name) > 1:
+            raise _refused(f"each column must have a name of its own, got {name!r} twice")
+    for parameter in question.required:
+        if parameter.column not in header and parameter.name not in given:
+            raise _refused(
+                f"give column {parameter.column} or {parameter.flag}, got columns "
+                f"{', '.join(header)}"
+            )
+    drags = [drag.name for drag in DRAGS if drag.column in header or drag.name in given]
+    if len(drags) != 1:
+        raise _refused(
+            "give exactly one of epsilon, drag_rate, terminal_speed, as a column or a flag; got "
+            + (" and ".join(drags) or "none")
+        )
+    for parameter in question.parameters:
+        if parameter.column in header and given.get(parameter.name) is not None:
+            raise _refused(f"give column {parameter.column} or {parameter.flag}, got both")
+    for name in (*question.columns, REASON):
+        if name in header:
+            raise _refused(f"column {name} is written by this command: rename it in the input")
+    return header
+
+
+def _refused(message: str) -> RefusedValue:
+    return RefusedValue(message, click.get_current_context(silent=True))
+
+
+def _blocks(reader: Iterator[list[str]], tally: _Tally) -> Iterator[list[list[str]]]:
+    """The rows, some thousands at a time; blank lines are no rows."""
+    while True:
+        try:
+            block = list(itertools.islice(reader, BLOCK))
+        except csv.Error as error:
+            line = tally.rows + 1
+            raise _refused(f"the input is not CSV after row {line}: {error}") from error
+        if not block:
+            return
+        yield [row for row in block if row]
+
+
+def _answer_block(
+    question: Question,
+    header: list[str],
+    block: list[list[str]],
+    given: Values,
+    writer: Any,
+    tally: _Tally,
+) -> None:
+    reasons = [""] * len(block)
+    for index, row in enumerate(block):
+        if len(row) != len(header):
+            reasons[index] = f"{len(row)} cells where the header has {len(header)}"
+            row[len(header) :] = []
+            row += [""] * (len(header) - len(row))
+    values: dict[str, Any] = {}
+    for parameter in question.parameters:
+        if parameter.column in header:
+            place = header.index(parameter.column)
+            cells = [row[place] for row in block]
+            values[parameter.name] = _numbers(cells, parameter, reasons)
+        elif given.get(parameter.name) is not None:
+            values[parameter.name] = np.full(len(block), float(given[parameter.name]))
+        elif parameter.default is not None:
+            values[parameter.name] = np.full(len(block), parameter.default)
+    results: dict[str, list[Any]] = {name: ["nan"] * len(block) for name in question.columns}
+    results["reason"] = reasons
+    good = np.array([index for index, reason in enumerate(reasons) if not reason], dtype=np.intp)
+    bad = set(range(len(block))) - set(good.tolist())
+    for rows, answer in _answers(question.compute, values, good):
+        if isinstance(answer, str):
+            reasons[rows[0]] = answer
+            bad.add(int(rows[0]))
+            continue
+        for name, column in answer.items():
+            target = results[name]
+            for row, cell in zip(rows.tolist(), _cells(column), strict=True):
+                target[row] = cell
+    for index in sorted(bad):
+        tally.note(tally.rows + index + 1, reasons[index])
+    tally.rows += len(block)
+    answers = zip(*(results[name] for name in (*question.columns, REASON)), strict=True)
+    writer.writerows([*row, *answer] for row, answer in zip(block, answers, strict=True))
+
+
+def _cells(column: Any) -> list[str]:
+    """A column as text, numbers with the digits that give them back."""
+    return column if isinstance(column, list) else list(map(repr, np.asarray(column).tolist()))
+
+
+def _numbers(
+    cells: Sequence[str], parameter: Parameter, reasons: list[str]
+) -> npt.NDArray[np.float64]:
+    """One column as numbers: NaN, and a reason, where a cell is none."""
+    try:
+        return np.array([float(cell) for cell in cells])
+    except ValueError:
+        numbers = np.full(len(cells), np.nan)
+    for index, cell in enumerate(cells):
+        try:
+            numbers[index] = float(cell)
+        except ValueError:
+            what = f"got {cell!r}" if cell.strip() else "the cell is empty"
+            reasons[index] = reasons[index] or f"{parameter.column} must be a number, {what}"
+    return numbers
+
+
+def _answers(
+    compute: Compute, values: Values, rows: npt.NDArray[np.intp]
+) -> Iterator[tuple[npt.NDArray[np.intp], Answer | str]]:
+    """Answers to these rows, some at a time, or the sentence that refuses one.
+
+    A refused value refuses all rows it comes with; halving finds it in a few steps.
+    """
+    if rows.size == 0:
+        return
+    try:
+        yield rows, compute({name: column[rows] for name, column in values.items()})
+    except (TypeError, ValueError) as error:
+        if rows.size > 1:
+            half = rows.size // 2
+            yield from _answers(compute, values, rows[:half])
+            yield from _answers(compute, values, rows[half:])
+            return
+        # The same once more with plain numbers, whose sentence does not speak of arrays.
+        sentence = str(error)
+        try:
+            compute({name: float(column[rows[0]]) for name, column in values.items()})
+        except (TypeError, ValueError) as plain:
+            sentence = str(plain)
+        yield rows, sentence
+
+
+@contextlib.contextmanager
+def _progress(stream: TextIO, size: int | None, shown: bool) -> Iterator[Callable[[_Tally], None]]:
+    """What to call after each block; where `shown`, a bar for work that takes above a second."""
+    if not shown:
+        yield lambda tally: tally.tell()
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    bar = Progress(
+        BarColumn(),
+        TextColumn("" if size is None else "{task.percentage:3.0f}%"),
+        TextColumn("{task.fields[rows]:,} rows"),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    )
+    task = bar.add_task("", total=size, rows=0)
+    begun = time.monotonic()
+
+    def advance(tally: _Tally) -> None:
+        if not bar.live.is_started and time.monotonic() - begun > SLOW:
+            bar.start()
+        done = stream.buffer.tell() if size is not None else tally.rows
+        bar.update(task, completed=done, rows=tally.rows)
+        if bar.live.is_started:
+            for line in tally.lines:
+                bar.console.print(line, markup=False, highlight=False)
+            tally.lines.clear()
+        else:
+            tally.tell()
+
+    try:
+        yield advance
+    finally:
+        bar.stop()

@@ -1,0 +1,257 @@
+"""Batches: every row answered or explained, in little memory, whole or not at all."""
+
+import csv
+import io
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from archerfish import Launcher
+from archerfish.cli import batch
+
+SHOTS = """\
+name,launch_angle_deg,speed_m_per_s
+one,45,10
+"two, too",x,10
+three,30,-1
+four,200,3
+five,,5
+six,10
+seven,-20,8,9
+
+eight,90,8
+"""
+BAD = {
+    2: "launch_angle_deg must be a number, got 'x'",
+    3: "speed must be above 0 and finite, got -1.0",
+    4: "launch angle must be from -180 to 180 degrees, got 200.0",
+    5: "launch_angle_deg must be a number, the cell is empty",
+    6: "2 cells where the header has 3",
+    7: "4 cells where the header has 3",
+}
+
+
+def rows(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_columns_are_kept_and_bad_rows_told_of(command, tmp_path):
+    (tmp_path / "in.csv").write_text(SHOTS)
+    done = command("shot", "--batch", "in.csv", "--epsilon", "0.1")
+    assert done.returncode == 0
+    found = rows(done.stdout)
+    assert [row["name"] for row in found][:3] == ["one", "two, too", "three"]
+    assert len(found) == 8
+    for number, row in enumerate(found, start=1):
+        assert row["reason"] == BAD.get(number, "")
+        assert (row["flight_time_s"] == "nan") == (number in BAD)
+    shot = Launcher(10, epsilon=0.1).shot(np.radians(45.0))
+    assert float(found[0]["landing_x_m"]) == shot.range
+    assert float(found[0]["landing_angle_deg"]) == np.degrees(shot.landing.angle)
+    assert done.stderr.splitlines() == [
+        *(f"archerfish shot: row {number}: {reason}" for number, reason in BAD.items()),
+        "archerfish shot: 6 of 8 rows are bad: NaN, with the reason in the last column",
+    ]
+
+
+def test_a_single_case_is_a_batch_of_one(output):
+    flags = ("--speed", "10", "--drag-rate", "0.2", "--height", "1")
+    single = output("shot", *flags, "--angle", "30", "--format", "csv")
+    text = output("shot", *flags, "--batch", "-", input="launch_angle_deg\n30\n")
+    one, other = rows(single)[0], rows(text)[0]
+    assert all(one[name] == other[name] for name in list(other)[1:])
+
+
+def test_aim_angles_and_envelope(output):
+    targets = rows(
+        output(
+            "aim",
+            "--batch",
+            "-",
+            "--speed",
+            "10",
+            "--epsilon",
+            "0.1",
+            input="x_m,y_m\n6,2\n9,3\n500,-3\n",
+        )
+    )
+    arcs = Launcher(10, epsilon=0.1).aim([6, 9, 500], [2, 3, -3])
+    assert [row["status"] for row in targets] == ["reachable", "unreachable", "unreachable"]
+    assert float(targets[0]["high_launch_angle_deg"]) == np.degrees(arcs.high.angle[0])
+    assert float(targets[1]["minimum_speed_m_per_s"]) == arcs.minimum_speed[1]
+    assert (
+        targets[1]["reason"]
+        == f"out of reach: {arcs.margin[1]:.6g} m above the envelope of all shots"
+    )
+    assert targets[2]["margin_m"] == "inf"
+    assert targets[2]["reason"] == "out of reach: beyond the distance V₀/b that drag allows"
+    drags = rows(output("angles", "--batch", "-", input="epsilon\n0\n1\n"))
+    assert float(drags[0]["largest_area_deg"]) == pytest.approx(60.0, rel=1e-15)
+    places = rows(
+        output("envelope", "--batch", "-", "--speed", "10", input="x_m,y_m,epsilon\n3,1,0.1\n")
+    )
+    assert float(places[0]["envelope_height_m"]) == Launcher(10, epsilon=0.1).envelope.height(3)
+    assert places[0]["status"] == "reachable"
+
+
+def test_a_value_in_many_blocks_is_found_where_it_is(command):
+    count = 2 * batch.BLOCK + 100
+    lines = ["45"] * count
+    for index in (0, batch.BLOCK - 1, batch.BLOCK, count - 1):
+        lines[index] = "999"
+    text = "launch_angle_deg\n" + "\n".join(lines) + "\n"
+    done = command("shot", "--batch", "-", "--speed", "3", "--epsilon", "1", input=text)
+    found = rows(done.stdout)
+    assert len(found) == count
+    bad = [number for number, row in enumerate(found, start=1) if row["reason"]]
+    assert bad == [1, batch.BLOCK, batch.BLOCK + 1, count]
+    assert [f"row {number}:" in done.stderr for number in bad] == [True] * 4
+    assert {row["flight_time_s"] for row in found if not row["reason"]} == {
+        repr(Launcher(3, epsilon=1).shot(np.radians(45.0)).flight_time)
+    }
+
+
+def test_only_the_first_bad_rows_are_told_of_one_by_one(command):
+    text = "launch_angle_deg\n" + "x\n" * 50
+    done = command("shot", "--batch", "-", "--speed", "3", "--epsilon", "1", input=text)
+    assert len(done.stderr.splitlines()) == batch.TOLD + 1
+    assert "50 of 50 rows are bad" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "flags", "line"),
+    [
+        ("", ("--epsilon", "1"), "the input must start with a line of column names, got nothing"),
+        ("a,a\n", ("--epsilon", "1"), "each column must have a name of its own, got 'a' twice"),
+        (
+            "speed_m_per_s\n",
+            ("--epsilon", "1"),
+            "give column launch_angle_deg or --angle, got columns speed_m_per_s",
+        ),
+        (
+            "launch_angle_deg,speed_m_per_s\n",
+            ("--epsilon", "1", "--speed", "2"),
+            "give column speed_m_per_s or --speed, got both",
+        ),
+        (
+            "launch_angle_deg,speed_m_per_s\n",
+            (),
+            "give exactly one of epsilon, drag_rate, terminal_speed, as a column or a flag; "
+            "got none",
+        ),
+        (
+            "launch_angle_deg,speed_m_per_s,apex_x_m\n",
+            ("--epsilon", "1"),
+            "column apex_x_m is written by this command: rename it in the input",
+        ),
+        ("launch_angle_deg\n1\n", ("--format", "json"), "--batch writes csv, got --format json"),
+        ("launch_angle_deg\n1\n", ("--figure", "a.svg"), "--figure draws one case, not a --batch"),
+    ],
+)
+def test_an_input_that_asks_nothing_is_one_line_and_status_2(command, tmp_path, text, flags, line):
+    done = command("shot", "--batch", "-", "--output", "out.csv", *flags, input=text)
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"archerfish shot: {line}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_cannot_be_read_or_written(command, tmp_path):
+    (tmp_path / "in.csv").write_text("launch_angle_deg\n1\n")
+    flags = ("--speed", "1", "--epsilon", "1")
+    done = command("shot", *flags, "--batch", "nowhere.csv")
+    message = "archerfish: cannot read nowhere.csv: No such file or directory\n"
+    assert (done.returncode, done.stderr) == (1, message)
+    done = command("shot", *flags, "--batch", "in.csv", "--output", "nowhere/out.csv")
+    message = "archerfish: cannot write nowhere/out.csv: No such file or directory\n"
+    assert (done.returncode, done.stderr) == (1, message)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["in.csv"]
+
+
+def test_bytes_that_are_not_text_pass_through(tmp_path):
+    (tmp_path / "in.csv").write_bytes(b"\xef\xbb\xbfname,launch_angle_deg\ncaf\xe9,45\n")
+    done = subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "archerfish",
+            "shot",
+            "--speed",
+            "1",
+            "--epsilon",
+            "1",
+            "--batch",
+            "in.csv",
+            "--output",
+            "out.csv",
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        check=True,
+    )
+    assert done.stderr == b""
+    content = (tmp_path / "out.csv").read_bytes()
+    assert content.startswith(b"name,launch_angle_deg,apex_x_m")
+    assert b"\ncaf\xe9,45,0." in content
+
+
+MEMORY = """
+import resource, sys
+from archerfish.cli.app import run
+status = run(sys.argv[1:])
+print(status, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+def test_memory_does_not_grow_with_the_input(tmp_path):
+    """Ten million rows must fit in 300 MB: so a hundred thousand take no more than a block does."""
+    used = []
+    for count in (batch.BLOCK, 12 * batch.BLOCK):
+        angles = np.linspace(0, 90, count).tolist()
+        (tmp_path / "in.csv").write_text("launch_angle_deg\n" + "\n".join(map(repr, angles)))
+        arguments = ["shot", "--speed", "9", "--epsilon", "1", "--batch", "in.csv"]
+        done = subprocess.run(
+            [sys.executable, "-c", MEMORY, *arguments, "--output", "out.csv"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        status, memory = done.stdout.splitlines()[-1].split()
+        assert status == "0"
+        used.append(int(memory))
+    assert used[1] < used[0] + 15_000  # kB
+    assert used[1] < 200_000
+
+
+def test_a_terminal_gets_a_bar_for_long_work(tmp_path):
+    pty = pytest.importorskip("pty")
+    (tmp_path / "in.csv").write_text("launch_angle_deg\n" + "45\n" * (4 * batch.BLOCK))
+    child, terminal = pty.fork()
+    if child == 0:
+        os.chdir(tmp_path)
+        code = (
+            "from archerfish.cli import batch\nbatch.SLOW = 0.0\n"
+            "from archerfish.cli.app import run\nimport sys\nsys.exit(run(sys.argv[1:]))"
+        )
+        arguments = ["shot", "--speed", "9", "--epsilon", "1", "--batch", "in.csv"]
+        environment = {**os.environ, "TERM": "xterm"}
+        command = [sys.executable, "-c", code, *arguments, "--output", "out.csv"]
+        os.execve(sys.executable, command, environment)
+    received = b""
+    while True:
+        try:
+            part = os.read(terminal, 65536)
+        except OSError:
+            break
+        if not part:
+            break
+        received += part
+    os.close(terminal)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    text = received.decode()
+    assert "%" in text
+    assert "rows" in text
+    assert text.rstrip().endswith("wrote out.csv")
