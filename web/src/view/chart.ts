@@ -138,7 +138,7 @@ export class Chart {
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
-  /** A curve through points given in the domain's units times `scale`, those closer than can be seen dropped. */
+  /** A curve through points given in the domain's units times `scale`, those within a pixel of the last dropped. */
   curve(
     pen: Pen,
     xs: ArrayLike<number>,
@@ -146,7 +146,7 @@ export class Chart {
     { from = 0, to = xs.length, xScale = 1, yScale = 1 } = {},
   ): void {
     // A file keeps fewer points: chords of two pixels stay within a hundredth of one of the curve.
-    const tolerance = pen instanceof CanvasRenderingContext2D ? 0.4 : 2;
+    const tolerance = pen instanceof CanvasRenderingContext2D ? 1 : 2;
     const [x0 = 0, x1 = 1] = this.x.range();
     const [y0 = 0, y1 = 1] = this.y.range();
     const { x, y } = this.#extent;
