@@ -262,6 +262,8 @@ fn direction(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
 /// The launch angle of one arc to the target.
 #[inline(always)]
 fn aim(arc: f64, x: f64, y: f64, epsilon: f64) -> f64 {
+    // −0 is 0: its inverse would be −∞
+    let epsilon = epsilon + 0.0;
     let target = Target::new(x, y, epsilon);
     let mut t = target.start(arc);
     if arc == LOW {
@@ -301,7 +303,9 @@ fn aim(arc: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let turn =
         DoubleDouble::select((x == 0.0) & (y == 0.0) & (arc == LOW), DoubleDouble::from(0.0), turn);
     let turn = DoubleDouble::select(x < 0.0, PI.sub(turn), turn).round();
-    select((y <= highest) & (y > f64::NEG_INFINITY) & is_drag(epsilon), turn, f64::NAN)
+    let inside = (y <= highest) & (y > f64::NEG_INFINITY) & is_drag(epsilon);
+    // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
+    select(inside & (turn.abs() <= core::f64::consts::TAU), turn, f64::NAN)
 }
 
 /// Launch angle of the lower, faster arc through the target (x, y), in radians.
