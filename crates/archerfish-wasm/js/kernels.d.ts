@@ -25,8 +25,16 @@ export type BinaryName =
   | "flight_range"
   | "envelope_height";
 
-/** A function of a time or an abscissa, of the launch angle and of `eps`. */
-export type TernaryName = "flight_x" | "flight_y" | "trajectory_height";
+/**
+ * A function of three numbers: a time or an abscissa, the launch angle and `eps`; for `aim_low` and
+ * `aim_high` the target's `x` and `y`, and `eps`.
+ */
+export type TernaryName =
+  | "flight_x"
+  | "flight_y"
+  | "trajectory_height"
+  | "aim_low"
+  | "aim_high";
 
 /** Doubles in the module's memory. */
 export interface Column {
@@ -39,7 +47,7 @@ export interface Column {
 export type Functions = Readonly<
   Record<UnaryName, (x: Column, out: Column) => void> &
     Record<BinaryName, (x: Column, eps: Column, out: Column) => void> &
-    Record<TernaryName, (x: Column, alpha: Column, eps: Column, out: Column) => void>
+    Record<TernaryName, (x: Column, second: Column, eps: Column, out: Column) => void>
 >;
 
 export interface Kernels {

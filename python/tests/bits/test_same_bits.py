@@ -3,6 +3,7 @@
 import gzip
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -77,6 +78,13 @@ def baseline(folder):
 @pytest.mark.parametrize("isa", AVAILABLE[1:])
 def test_instruction_sets_agree(folder, baseline, isa):
     assert natively(folder, isa) == baseline
+
+
+def test_typescript_knows_every_function():
+    declared = re.findall(
+        r'^ *\| "(\w+)"', (WASM / "kernels.d.ts").read_text("utf-8"), re.MULTILINE
+    )
+    assert sorted(declared) == sorted(UFUNCS)
 
 
 # Without node there is nothing that could run the other side.
