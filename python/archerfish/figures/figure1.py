@@ -83,7 +83,7 @@ def draw_figure1(ax: Axes, data: Figure1Data) -> None:
     ax.plot(
         data.drag_free_x / metres,
         data.drag_free_y / metres,
-        color=style.VERMILLION,
+        color=style.RED,
         linestyle=(0, (5, 2)),
         label="locus without drag (ellipse)",
     )

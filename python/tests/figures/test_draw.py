@@ -74,7 +74,7 @@ def test_figure_1_as_the_issue_asks():
     assert lines["trajectories"].get_linewidth() < 0.5
     assert lines["locus of apexes"].get_color() == style.BLUE
     ellipse = lines["locus without drag (ellipse)"]
-    assert ellipse.get_color() == style.VERMILLION
+    assert ellipse.get_color() == style.RED
     assert ellipse.is_dashed()
     assert ax.get_xlim()[1] > data.x.max()
     assert ax.get_ylim()[1] > data.drag_free_y.max()
