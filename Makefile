@@ -23,6 +23,8 @@ explorer := python/archerfish/explorer/index.html
 explorer_sources := $(shell find web -name node_modules -prune -o -type f -print) \
 	crates/archerfish-wasm/js/kernels.js
 node := $(shell node -p 'process.versions.node.split(".")[0] >= 20 ? "node" : ""' 2> /dev/null)
+# Rust need not have come by rustup; then there is no WebAssembly to test.
+rustup := $(shell PATH="$(PATH)" command -v rustup)
 
 .PHONY: help demo explore test test-large test-model test-web check lint docs wasm wheel miri fuzz bench bench-web screens figures accuracy locks clean
 
@@ -40,9 +42,9 @@ explore: $(explorer) .venv/package ## Build the explorer's page, serve it on thi
 wheel: $(explorer) .venv/dev ## Build the wheel, the explorer's page in it, under dist/
 	@PATH="$(CURDIR)/$(bin):$$PATH" $(bin)/maturin build --release --locked --out dist
 
-test: .venv/test .venv/package $(if $(shell command -v node),$(wasm)) ## Run the Rust tests, then the Python tests
+test: .venv/test .venv/package $(if $(and $(shell command -v node),$(rustup)),$(wasm)) ## Run the Rust tests, then the Python tests
 	cargo test --workspace --locked --quiet
-	$(if $(node),@$(MAKE) --no-print-directory test-model)
+	$(if $(and $(node),$(rustup),$(shell command -v npm)),@$(MAKE) --no-print-directory test-model)
 	$(bin)/python -m pytest --quiet
 
 test-model: $(wasm) web/node_modules/.package-lock.json ## Run the explorer's unit tests
