@@ -20,7 +20,9 @@ class UfuncDoc(NamedTuple):
 
 ALPHA = {"alpha": "Launch angle α in radians, in [0, π]; above π/2 the mirror image is meant."}
 THETA = {"theta": "Polar angle θ of the apex seen from the launch point, in radians, in [0, π]."}
-EPS = {"eps": "Drag parameter ε = b V₀ / g, without unit, at least 0 and finite."}
+EPS = {
+    "eps": "Drag parameter ε = b V₀ / g, without unit, at least 0 and finite; accurate to 1e300."
+}
 DIRECTION = {"alpha": "Launch angle α in radians, in [−2π, 2π]: any direction, downwards too."}
 TIME = {"t": "Time since the launch in V₀/g, at least 0 and finite."}
 TARGET = {"x": "Abscissa of the target in V₀²/g.", "y": "Height of the target in V₀²/g."}

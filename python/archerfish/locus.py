@@ -70,12 +70,14 @@ class ApexLocus(Value):
         [0.0, 1.149244]
         """
         eps = self.epsilon
-        return self._points(
-            launch_angle=alpha,
-            elevation=_core.apex_elevation(alpha, eps),
-            distance=_core.apex_distance(alpha, eps),
-            curvature=_core.apex_curvature(alpha, eps),
-        )
+        elevation = _core.apex_elevation(alpha, eps)
+        with np.errstate(invalid="ignore"):  # one warning of one bad angle, not six
+            return self._points(
+                launch_angle=alpha,
+                elevation=elevation,
+                distance=_core.apex_distance(alpha, eps),
+                curvature=_core.apex_curvature(alpha, eps),
+            )
 
     def at_elevation(self, theta: npt.ArrayLike) -> ApexPoints:
         """The apexes seen from the launch point at elevation `theta` (radians, 0 to π).
@@ -89,12 +91,14 @@ class ApexLocus(Value):
         0.785398163397
         """
         eps = self.epsilon
-        return self._points(
-            launch_angle=_core.locus_launch_angle(theta, eps),
-            elevation=theta,
-            distance=_core.locus_radius(theta, eps),
-            curvature=_core.locus_curvature(theta, eps),
-        )
+        launch_angle = _core.locus_launch_angle(theta, eps)
+        with np.errstate(invalid="ignore"):  # one warning of one bad angle, not six
+            return self._points(
+                launch_angle=launch_angle,
+                elevation=theta,
+                distance=_core.locus_radius(theta, eps),
+                curvature=_core.locus_curvature(theta, eps),
+            )
 
     @cached_property
     def highest(self) -> ApexPoints:

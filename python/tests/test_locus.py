@@ -174,3 +174,13 @@ def test_scalars_in_scalars_out():
     points = unit_locus(0.1).at_launch_angle(0.3)
     assert all(type(getattr(points, field.name)) is float for field in dataclasses.fields(points))
     assert type(unit_locus(0.1).arc_length()) is float
+
+
+@pytest.mark.parametrize("ask", ["at_launch_angle", "at_elevation"])
+def test_an_angle_outside_the_domain_warns_once(ask):
+    locus = Launcher(10.0, epsilon=0.1).locus
+    with pytest.warns(RuntimeWarning, match="invalid value") as warned:
+        points = getattr(locus, ask)([-1.0, 0.5])
+    assert len(warned) == 1
+    assert np.isnan(points.x[0])
+    assert np.isfinite(points.x[1])
