@@ -9,6 +9,8 @@ be, which angle leads through a point. Roots are proved by two signs.
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
+from typing import NamedTuple
 
 from flint import arb, ctx
 
@@ -28,7 +30,7 @@ def is_drag(eps: float) -> bool:
 
 def bits_lost(*sizes: arb) -> int:
     """Bits to add so that differences of second order in these sizes keep their digits."""
-    return sum(2 * abs(exponent(size)) for size in sizes if size.mid() != 0)
+    return sum(2 * max(0, -exponent(size)) for size in sizes if size.mid() != 0)
 
 
 # The equation of motion, solved --------------------------------------------------
@@ -248,47 +250,73 @@ def sensitivity(x: float, y: float, eps: float, t: arb, up: arb) -> arb:
     return by_x.max(by_y).max(abs(way * way - 2 * drop * k) * c) / margin
 
 
-def aim(x: float, y: float, eps: float, high: bool) -> Value:
-    """At time t all shots are on the circle of radius drift(t) about (0, -fall(t)); the two arcs
-    are those with the target on it, and between them it is inside. The time where
-    e^(-εt) = y + fall(t) lies between them.
+class Prospect(NamedTuple):
+    """What both arcs to a target share: a time between those of the two, and the precision at
+    which it is known; or the one arc where there is one.
     """
-    demand(abs(x) < math.inf and -math.inf < y < math.inf and is_drag(eps))
+
+    bits: int
+    between: arb
+    only: tuple[arb, arb] | None = None
+
+
+def inside(t: arb, x: arb, y: arb, eps: arb) -> arb:
+    """Positive where (x, y) is inside the circle of all shots at time t: it has the radius
+    drift(t), and its centre has fallen by fall(t).
+    """
+    way, up = drift(t, eps), y + fall(t, eps)
+    return way * way - x * x - up * up
+
+
+def between(y: arb, eps: arb, bits: int) -> arb:
+    """A time between those of the two arcs: a target that high is deepest inside when e^(-εt) is
+    as great as what is left of its height above the centre.
+    """
+    return root(
+        lambda t: (-eps * t).exp() - fall(t, eps) - y, arb(2) ** -2000, arb(2) ** 2000, bits
+    ).mid()
+
+
+@lru_cache(maxsize=4)
+def prospect(x: float, y: float, eps: float, bits: int) -> Prospect:
+    lost = bits_lost(arb(eps) * abs(arb(x)).max(abs(arb(y))).min(arb(1)))
+    if y < 1:  # quickly, for all targets but those next to the envelope
+        with precision(128 + lost):
+            t = between(arb(y), arb(eps), 48)
+            if inside(t, arb(x), arb(y), arb(eps)) > drift(t, arb(eps)) ** 2 * arb(2) ** -40:
+                return Prospect(2 * (bits + 64) + lost, t)
     top = exact(envelope_height, x, eps)
     height = 0.0 if abs(top.hi) <= 1e-9 * top.ulp else top.hi
     demand(not math.isnan(height) and height > -math.inf)
-    if x == 0 and y == 0 and not high:
-        return arb(0)
-    if x == 0 and y <= 0 and not high:
-        return -arb.pi() / 2
-    size = arb(x).mid() if x else arb(y)
-    with precision(2 * (ctx.prec + 64 + bits_lost(arb(eps), size, arb(y)))):
-        bits = ctx.prec // 2
-        side, up_to, e = arb(x), arb(y), arb(eps)
+    with precision(2 * (bits + 64) + lost):
+        side, level, e = arb(x), arb(y), arb(eps)
         rise, _ = touching(x, eps)
         # by the crate's rule a target above the envelope by its last digits is on it
-        demand(not up_to - height > (rise + abs(height)) * arb(2) ** -51)
-
-        def inside(t: arb) -> arb:
-            way, up = drift(t, e), up_to + fall(t, e)
-            return way * way - side * side - up * up
-
-        def before(t: arb) -> arb:
-            return (-e * t).exp() - fall(t, e) - up_to
-
+        demand(not level - height > (rise + abs(height)) * arb(2) ** -51)
+        way = (side * side + rise * rise).sqrt()
+        touched = -(1 - e * way).log() / e if eps else way
         if y >= height:
-            way = (side * side + rise * rise).sqrt()
-            t = -(1 - e * way).log() / e if eps else way
-            return direction(x, rise), sensitivity(x, y, eps, t, rise).max(1)
-        middle = root(before, arb(2) ** -4000, arb(2) ** 4000, bits).mid()
-        if not inside(middle) > 0:
-            up = up_to + fall(middle, e)
-            return direction(x, up), sensitivity(x, y, eps, middle, up).max(1)
-        if high:
-            t = root(inside, middle, arb(2) ** 4000, bits)
-        else:
-            t = root(inside, arb(2) ** -4000, middle, bits)
-        up = up_to + fall(t, e)
+            return Prospect(ctx.prec, touched, (touched, rise))
+        t = between(level, e, bits + 64)
+        above = not inside(t, side, level, e) > 0
+        return Prospect(ctx.prec, t, (t, level + fall(t, e)) if above else None)
+
+
+def aim(x: float, y: float, eps: float, high: bool) -> Value:
+    """The earlier or the later of the two times at which the circle passes through the target."""
+    demand(abs(x) < math.inf and -math.inf < y < math.inf and is_drag(eps))
+    bits = ctx.prec + 64
+    common = prospect(x, y, eps, ctx.prec)
+    if x == 0 and y <= 0 and not high:
+        return -arb.pi() / 2 if y else arb(0)
+    with precision(common.bits):
+        if common.only is not None:
+            t, up = common.only
+            return direction(x, up), sensitivity(x, y, eps, t, up).max(1)
+        side, level, e = arb(x), arb(y), arb(eps)
+        ends = (common.between, arb(2) ** 2000) if high else (arb(2) ** -2000, common.between)
+        t = root(lambda t: inside(t, side, level, e), *ends, bits)
+        up = level + fall(t, e)
         return direction(x, up), sensitivity(x, y, eps, t, up)
 
 

@@ -338,9 +338,9 @@ MOTION = Arguments(angle_and_drag, [(a, e) for a in ANGLES for e in DRAGS] + OUT
 DIRECTION = mixture((3, ANGLE), (1, negated(ANGLE)), (0.2, uniform(-TURN, TURN)))
 
 
-def moment(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
+def moment(rng: Generator, count: int, drags: Draw = DRAG) -> tuple[np.ndarray, ...]:
     """Times by every measure: of the flight, of the drag, of any size."""
-    alpha, drag = DIRECTION(rng, count), DRAG(rng, count)
+    alpha, drag = DIRECTION(rng, count), drags(rng, count)
     of_drag = log_uniform(2.0**-6, 2.0**7)(rng, count) / np.maximum(drag, 1e-290)
     of_flight = log_uniform(2.0**-4, 2.0**4)(rng, count) * np.abs(np.sin(alpha))
     t = np.choose(rng.choice(3, count), [of_drag, of_flight, log_uniform(TINY, 1e300)(rng, count)])
@@ -367,25 +367,37 @@ def abscissa(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
     return signed(lambda rng, _: reach(rng, drag))(rng, count), drag
 
 
+#: As DRAG; the tiniest, for which exact values take long, more rarely.
+SELDOM_TINY = mixture(
+    (6, log_uniform(0.01, 100)),
+    (2, log_uniform(1e-8, 1e8)),
+    (0.3, log_uniform(TINY, 1e300)),
+    (1, log_uniform(1, 1e300)),
+    (1, uniform(0, 3)),
+)
+
+
 def target(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
     """Places of shots in every direction at every time, and places next to the envelope."""
-    t, alpha, drag = moment(rng, count)
+    t, alpha, drag = moment(rng, count, SELDOM_TINY)
     t = np.minimum(t, 1e6)
     w = np.maximum(t * drag, 1e-9)
     way = -t * np.expm1(-w) / w
     fallen = np.where(w < 1e-4, t * t / 2, t * (t - way) / w)
     x, y = way * np.cos(alpha), way * np.sin(alpha) - fallen
     near_top = rng.random(count) < 0.25
-    off = np.abs(reach(rng, drag))
+    off = np.where(near_top, np.abs(reach(rng, drag)), np.abs(x))
     end = np.maximum(1 - (drag * off) ** 2, 1e-16)
     sine = end / (drag * off * off + np.sqrt(off * off + end))
     longest = 1 / (sine + drag)
     v = drag * longest
     psi = np.where(v < 1e-4, 0.5 + v / 3, (-np.log(sine * longest) - v) / np.maximum(v, 1e-9) ** 2)
     top = longest * (sine - longest * psi)
-    below = log_uniform(2.0**-50, 2.0**2)(rng, count)
-    x = np.where(near_top, np.copysign(off, x), x)
-    return x, np.where(near_top, top - below * np.abs(top), y), drag
+    # not so close that the last digits decide on which side of the envelope they are
+    below = log_uniform(2.0**-46, 2.0**2)(rng, count)
+    y = np.where(near_top, top - below * np.abs(top), y)
+    y = np.minimum(y, top - 2.0**-46 * (np.abs(top) + longest * sine))
+    return np.copysign(off, x), y, drag
 
 
 TIMES = [0.0, TINY, 1e-310, 1e-20, 0.1, 1.0, 30.0, 1e10, 1e300]
