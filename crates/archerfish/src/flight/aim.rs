@@ -107,13 +107,13 @@ impl Target {
         let (way, fall) = (t * speed_e1, t * t * fall_e2);
         let dropped = gamma * fall;
         let up = y + dropped;
-        // P² − X² − Y² next to the wall, P² − X² far from the launch, and in general
+        // next to the wall before and after most of the fall, and in general
         let gone = rest * (1.0 + lambda * way);
         let inverse_square = 1.0 / (lambda * lambda);
         let by_wall = (self.before_wall - gone) * inverse_square - dropped * (2.0 * y + dropped);
         let far_down = (self.beyond.hi - gone) * inverse_square - up * up;
         let excess = (way - self.x.hi) * (way + self.x.hi) - up * up;
-        let excess = select(near, excess, select(self.before_wall > -1.0, by_wall, far_down));
+        let excess = select(near, excess, select(dropped < 0.5 * y.abs(), by_wall, far_down));
         Front {
             t,
             way,
@@ -256,6 +256,9 @@ fn direction(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
     let size = DoubleDouble::select(down, y.neg(), y);
     let factor = select((size.hi < 1e-150) & (x.hi < 1e-150), LARGE, 1.0);
     let turn = angle(size.scale(factor), x.scale(factor));
+    // so small an angle is its tangent, whose powers would underflow
+    let flat = size.hi < 1e-250 * x.hi;
+    let turn = DoubleDouble::select(flat, size.div(x), turn);
     DoubleDouble::select(down, turn.neg(), turn)
 }
 
@@ -282,9 +285,10 @@ fn aim(arc: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let mu = select(epsilon > 1.0, epsilon, 1.0);
     let ahead = two_product(mu, x.abs() * FACTOR * more);
     let rise = two_product(mu, y * FACTOR * more);
-    let square = ahead.hi * target.x.hi + rise.hi * target.y.hi;
+    // γ undoes the unit of one factor of each square
+    let fallen = ahead.mul_double(x.abs()).add(rise.mul_double(y)).scale(0.5);
     let near = (arc == LOW) & (size < 1e-30);
-    let up = DoubleDouble::select(near, rise.add_double(0.5 * target.gamma.hi * square), up);
+    let up = DoubleDouble::select(near, rise.add(fallen), up);
     let regular = direction(DoubleDouble::select(near, ahead, target.x), up);
 
     // at the end of all motion the way is 1/ε
