@@ -28,7 +28,8 @@ def test_float32_strided_in_place_and_misaligned(ufunc, draw):
 
 def test_python_numbers_do_not_widen_float32(ufunc):
     array = np.full(3, 0.3, np.float32) * (-1 if ufunc.__name__ == "lambertwm1" else 1)
-    assert ufunc(array, *[0.5] * (ufunc.nin - 1)).dtype == np.float32
+    with np.errstate(invalid="ignore"):  # a target this high is out of reach
+        assert ufunc(array, *[0.5] * (ufunc.nin - 1)).dtype == np.float32
 
 
 def test_float64_beside_float32_is_float64(ufunc, draw):
