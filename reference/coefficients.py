@@ -112,6 +112,22 @@ def rough_atan(z):
     return 1 + z * atan_tail(z)
 
 
+def half_time_tail(z):
+    """((h coth h − 1)/h² − 1/3)/h² with z = h²."""
+    return taylor_near_zero(
+        lambda t: ((mp.sqrt(t) * mp.coth(mp.sqrt(t)) - 1) / t - mp.mpf(1) / 3) / t,
+        lambda k: mp.bernoulli(2 * k + 4) * mp.mpf(4) ** (k + 2) / mp.factorial(2 * k + 4),
+    )(z)
+
+
+def fall_tail(w):
+    """((w − 1 + e^−w)/w² − 1/2 + w/6)/w²."""
+    return taylor_near_zero(
+        lambda t: ((t + mp.expm1(-t)) / t**2 - mp.mpf(1) / 2 + t / 6) / t**2,
+        lambda k: (-1) ** k / mp.factorial(k + 4),
+    )(w)
+
+
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
 ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
@@ -124,6 +140,8 @@ FITS = {
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
+    "half_time_tail": Fit(half_time_tail, 0, mp.mpf("0.5626"), 7, lambda z: z ** mp.mpf("1.5")),
+    "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
@@ -192,6 +210,7 @@ class Start(NamedTuple):
     numerator_degree: int
     denominator_degree: int
     compressed: bool = False
+    iterations: int = 800
 
 
 def bearable_error(w):
@@ -240,7 +259,18 @@ def rougher_gain():
     return Start(DRAGS, gain(DRAGS), 2.0**-9 / gain(DRAGS), 2, 2, compressed=True)
 
 
+def half_time_start():
+    """h/u as a function of u, where h is half the time of flight times b: u = h + h coth h − 1."""
+    time = np.concatenate(
+        [np.geomspace(1e-6, 1, 800), np.linspace(1, 60, 2500), np.geomspace(60, 1e6, 300)]
+    )
+    h = time / 2
+    u = h + np.array([float(mp.mpf(x) * mp.coth(mp.mpf(x)) - 1) for x in h])
+    return Start(u, h / u, np.full_like(u, 2.0**-14), 3, 3, iterations=400)
+
+
 STARTS = {
+    "half_time_start": half_time_start,
     "principal_start": principal_start,
     "lower_start": lower_start,
     "rough_gain": rough_gain,
@@ -248,7 +278,7 @@ STARTS = {
 }
 
 
-def lawson(start, iterations=800):
+def lawson(start):
     """Numerator and denominator in the variable, lowest degree first, and the greatest error."""
     y, m, n = start.variable, start.numerator_degree, start.denominator_degree
     x = 1 / (1 + y) if start.compressed else y / (1 + y)
@@ -256,7 +286,7 @@ def lawson(start, iterations=800):
     basis = np.polynomial.chebyshev.chebvander(2 * (x - low) / (high - low) - 1, max(m, n))
     weight = 1 / start.bearable / abs(start.function)
     lawson_weight, bottom, best = np.ones_like(x), np.ones_like(x), (np.inf, None)
-    for _ in range(iterations):
+    for _ in range(start.iterations):
         rows = np.hstack([basis[:, : m + 1], -start.function[:, None] * basis[:, 1 : n + 1]])
         scale = np.sqrt(lawson_weight) * weight / abs(bottom)
         solution, *_ = np.linalg.lstsq(rows * scale[:, None], start.function * scale, rcond=None)

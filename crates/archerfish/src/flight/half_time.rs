@@ -23,7 +23,7 @@ const HALF_TIME_TAIL: [f64; 8] = [
     -2.167870775474207e-08,
     1.7362237136604283e-09,
 ];
-// half_time_start: 5.3e-05 of relative error: reference/coefficients.py half_time_start
+// half_time_start: 0.87 of the error that can be borne: reference/coefficients.py half_time_start
 const HALF_TIME_START_TOP: [f64; 4] = [1.000005008, 0.4149945055, 0.07041051379, 0.0186885149];
 const HALF_TIME_START_BOTTOM: [f64; 4] = [1.0, 0.7473879479, 0.1029244719, 0.03737900548];
 const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
