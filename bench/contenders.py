@@ -7,6 +7,7 @@ Ufuncs write into an array of their own; formulas allocate as they are typed.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -111,8 +112,7 @@ def ours(arguments: dict[str, Array], count: int) -> list[Contender]:
         bound = LOOSELY.get(name, function.bound)
         if worst > bound:
             raise ValueError(f"{name} must be within {bound:g} ulp, is off by {worst:g}")
-        call = lambda ufunc=ufunc, x=x, out=out: ufunc(*x, out=out)  # noqa: E731
-        found.append(Contender(name, "archerfish", call, result, 0.0))
+        found.append(Contender(name, "archerfish", partial(ufunc, *x, out=out), result, 0.0))
     return found
 
 

@@ -62,6 +62,7 @@ def radius_by_flight(alpha: Array, eps: Array, solve_ivp: Callable[..., Any]) ->
     def motion(_: float, state: Array, drag: float) -> list[float]:
         return [state[2], state[3], -drag * state[2], -1 - drag * state[3]]
 
+    # solve_ivp passes the drag to events too, and reads the attribute off the function
     def rising(_: float, state: Array, drag: float) -> float:  # noqa: ARG001
         return float(state[3])
 

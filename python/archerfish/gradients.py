@@ -166,7 +166,7 @@ def propagate(
     if given and any(np.any(array(deviation) != 0) for deviation in deviations):
         raise TypeError("give standard deviations or a covariance, got both")
     if given:
-        inputs = array(covariance)  # type: ignore[arg-type]
+        inputs = array(covariance)  # type: ignore[arg-type]  # `given`: not None
         if inputs.shape[-2:] != (4, 4):
             raise ValueError(f"covariance must have the shape (..., 4, 4), got {inputs.shape}")
     else:

@@ -4,6 +4,7 @@
 use pyo3::prelude::*;
 
 mod kernel;
+// the only file with unsafe code: NumPy has no safe interface for ufuncs
 #[allow(unsafe_code)]
 mod ufunc;
 

@@ -72,7 +72,7 @@ def main() -> None:
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     if sys.stdout is None:
         # Closed by whoever started this: what is written there goes nowhere.
-        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - stays open
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A terminal without Greek letters gets question marks, not an exception.
         sys.stdout.reconfigure(errors="replace")

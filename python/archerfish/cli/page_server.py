@@ -25,7 +25,7 @@ class Page(SimpleHTTPRequestHandler):
         ".woff2": "font/woff2",
     }
 
-    def list_directory(self, path: str | os.PathLike[str]) -> None:  # noqa: ARG002
+    def list_directory(self, path: str | os.PathLike[str]) -> None:  # noqa: ARG002 - the base's signature
         self.send_error(404, "File not found")
 
     def end_headers(self) -> None:
@@ -34,5 +34,5 @@ class Page(SimpleHTTPRequestHandler):
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
-    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - as above
         pass

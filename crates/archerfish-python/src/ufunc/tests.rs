@@ -54,8 +54,9 @@ fn check<T: Element, const SIZE: usize>(kernel: Kernel, count: usize, x: [Place;
             match kernel {
                 Kernel::Unary(function) => function(&a, &mut value),
                 Kernel::Binary(function) => function(&a, &b, &mut value),
-                #[allow(unreachable_patterns)]
-                _ => unreachable!("the kernels of this file take one or two numbers"),
+                Kernel::Ternary(_) => {
+                    unreachable!("the kernels of this file take one or two numbers")
+                }
             }
             out.operand(plain).scatter::<T>(i, &value);
         }

@@ -4,7 +4,7 @@
 //! `v = p − p²/3 + 11p³/72 − …` of p. The offset δ = z + 1/e is what keeps the digits: it arrives
 //! as a sum of two doubles.
 
-use crate::real::double_double::{DoubleDouble, fast_two_sum};
+use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::real::{polynomial, select, sqrt};
 
 // principal_tail: minimax on [0.0, 0.501], degree 13,
@@ -91,6 +91,13 @@ pub(super) fn principal_near(offset: DoubleDouble) -> DoubleDouble {
 pub(super) fn lower_near(offset: DoubleDouble) -> DoubleDouble {
     let p = root(offset).neg();
     series(p, polynomial(p.hi, &LOWER_TAIL))
+}
+
+/// `z = −1/e + δ`.
+#[inline(always)]
+pub(super) fn at_offset(offset: f64) -> DoubleDouble {
+    let z = two_sum(offset, -INVERSE_E.hi);
+    fast_two_sum(z.hi, z.lo - INVERSE_E.lo)
 }
 
 /// `W₀(−1/e + δ)` for δ up to CLOSE; −1 for δ ≤ 0.

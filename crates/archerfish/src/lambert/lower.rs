@@ -3,9 +3,9 @@
 //! Method: near the branch point its series; elsewhere −w₀ = 1 + η R(η), η = √(2(−1 − ln(−z))),
 //! which is smooth even at the branch point, and one step.
 
-use super::branch::{CLOSE, INVERSE_E, NEAR, lower_close, lower_near};
-use super::step::{correction, rough_ln};
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near};
+use super::step::{correction, one_plus_corrected, rough_ln};
+use crate::real::double_double::DoubleDouble;
 use crate::real::{polynomial, select, sqrt};
 
 // lower_start: 0.71 of the error that can be borne: reference/coefficients.py lower_start
@@ -45,11 +45,8 @@ pub fn lambertwm1(z: f64) -> f64 {
 #[inline(always)]
 pub fn lambertwm1_offset(d: f64) -> f64 {
     let near = lower_near(DoubleDouble::from(d));
-    let z = two_sum(d, -INVERSE_E.hi);
-    let z = fast_two_sum(z.hi, z.lo - INVERSE_E.lo);
-    let w = start(z.hi);
-    let far = two_sum(1.0, w);
-    let far = far.hi + (far.lo + correction(z, w));
+    let z = at_offset(d);
+    let far = one_plus_corrected(z, start(z.hi));
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
     select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)

@@ -3,9 +3,9 @@
 //! Method: near the branch point its series; elsewhere w₀ = ln(1+z) R(y),
 //! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
 
-use super::branch::{CLOSE, INVERSE_E, NEAR, principal_close, principal_near};
-use super::step::{correction, rough_ln_1p};
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near};
+use super::step::{correction, one_plus_corrected, rough_ln_1p};
+use crate::real::double_double::DoubleDouble;
 use crate::real::{polynomial, select, sqrt};
 
 // principal_start: 0.18 of the error that can be borne: reference/coefficients.py principal_start
@@ -61,11 +61,8 @@ pub fn lambertw0(z: f64) -> f64 {
 #[inline(always)]
 pub fn lambertw0_offset(d: f64) -> f64 {
     let near = principal_near(DoubleDouble::from(d));
-    let z = two_sum(d, -INVERSE_E.hi);
-    let z = fast_two_sum(z.hi, z.lo - INVERSE_E.lo);
-    let w = start(z.hi);
-    let far = two_sum(1.0, w);
-    let far = far.hi + (far.lo + correction(z, w));
+    let z = at_offset(d);
+    let far = one_plus_corrected(z, start(z.hi));
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == f64::INFINITY, d, regular);
     select(d >= 0.0, regular, f64::NAN)

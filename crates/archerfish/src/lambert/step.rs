@@ -42,6 +42,13 @@ pub(super) fn correction(z: DoubleDouble, w: f64) -> f64 {
     t - t * t * (a - t * (2.0 * a * a - b))
 }
 
+/// 1 + Lambert W of z, w being near W.
+#[inline(always)]
+pub(super) fn one_plus_corrected(z: DoubleDouble, w: f64) -> f64 {
+    let sum = two_sum(1.0, w);
+    sum.hi + (sum.lo + correction(z, w))
+}
+
 /// `ln w` of a positive normal number, to 2⁻²² of itself.
 #[inline(always)]
 pub(super) fn rough_ln(w: f64) -> f64 {
