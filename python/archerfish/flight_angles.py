@@ -7,7 +7,6 @@ flight, in units of V₀²/g and V₀/g; T is the flight time over level ground,
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,9 +15,12 @@ import numpy.typing as npt
 from archerfish import _core
 from archerfish import named_angles as named
 from archerfish.kinematics import drift
-from archerfish.path import flight_integral, speed_at
+from archerfish.quadrature import gauss_legendre
 from archerfish.values import Quantity, Value, frozen
 from archerfish.zeros import FloatArray
+
+#: What a logarithm's argument may be, where more would overflow and changes nothing.
+_FAR = 1e300
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,26 +68,29 @@ def longest_path_angle(epsilon: npt.ArrayLike) -> Quantity:
     """Launch angle α of the longest path from launch to level ground, in radians.
 
     With v the speed, the length L = ∫ v dt has
-    (dL/dα)/cos α = v D/|ẏ| at T − ∫₀ᵀ e^{−εt} D/v dt. Without drag sin α artanh(sin α) = 1.
+    (dL/dα)/cos α = v D/|ẏ| at T − ∫₀ᵀ e^{−εt} D/v dt. In terms of D the speed is v² = 1 − 2mD + AD²
+    with m = s + ε and A = q² + ε²c², so that the integral is elementary: with h = A D(T) − m it is
+    (v(T) − 1 + (m/√A) (arsinh(h/c) + arsinh(m/c)))/A. Without drag sin α artanh(sin α) = 1.
 
     >>> float(np.degrees(longest_path_angle(0.0)).round(10))
     56.4658351275
     """
 
     def condition(alpha: FloatArray, eps: FloatArray) -> FloatArray:
-        launch, pull = _flight(alpha)
+        s, c = np.sin(alpha), np.cos(alpha)
         time = np.asarray(_core.flight_time(alpha, eps))
-        end = drift(time, eps)
-        falling = np.abs(launch[1] * np.exp(-eps * time) - end)
-
-        def lost(t: FloatArray, at: Callable[[FloatArray], FloatArray]) -> FloatArray:
-            sine, cosine = at(launch[1]), at(launch[0])
-            zero = np.zeros(np.shape(sine))
-            speed = speed_at(t, (cosine, sine, zero), (zero, zero - 1, zero), at(eps))
-            return np.asarray(np.exp(-at(eps) * t) * (drift(t, at(eps)) / at(end)) / speed)
-
-        last = speed_at(time, launch, pull, eps) / falling
-        return np.asarray(last - flight_integral(lost, time, launch, pull, eps))
+        end, decay = drift(time, eps), np.exp(-eps * time)
+        q, m = 1 + eps * s, s + eps
+        root = np.hypot(q, eps * c)
+        # Falling speed and h at the end: where drag is strong, D(T) = (1 − e^{−εT})/ε has no digits
+        # left of what they are made of.
+        strong, rate = eps > 1, np.maximum(eps, 1.0)
+        falling = np.where(strong, (1 - decay * q) / rate, q * end - s)
+        with np.errstate(over="ignore"):
+            h = np.where(strong, (q - decay * root * root) / rate, root * root * end - m)
+            turn = np.arcsinh(h / c) + np.arcsinh(np.minimum(m / c, _FAR))
+        speed = np.hypot(c * decay, falling)
+        return np.asarray(speed * (h + m) / falling - (speed - 1) - m / root * turn)
 
     return named._solve(condition, epsilon)
 
@@ -94,30 +99,27 @@ def largest_area_angle(epsilon: npt.ArrayLike) -> Quantity:
     """Launch angle α of the largest area between the path and level ground, in radians.
 
     For A = ∫ y dx, dA/dα = ∫₀ᵀ D (e^{−εt} − D sin α) dt, that is D(T)²/2 − sin α ∫₀ᵀ D² dt. Without
-    drag 60 degrees.
+    drag 60 degrees. With δ = εD(T) the integral is D(T)³ ∫₀¹ x²/(1 − δx) dx; and as y(T) = 0, it
+    is also D (2 sin α − D)/(2ε) at T, which is the one to take where drag is strong.
 
     >>> float(np.degrees(largest_area_angle(0.0)).round(10))
     60.0
     """
 
     def condition(alpha: FloatArray, eps: FloatArray) -> FloatArray:
-        launch, pull = _flight(alpha)
-        time = np.asarray(_core.flight_time(alpha, eps))
-        end = drift(time, eps)
-
-        def square(t: FloatArray, at: Callable[[FloatArray], FloatArray]) -> FloatArray:
-            ratio = drift(t, at(eps)) / at(end)
-            return np.asarray(ratio * ratio)
-
-        return np.asarray(0.5 - launch[1] * flight_integral(square, time, launch, pull, eps))
+        s = np.sin(alpha)
+        end = drift(_core.flight_time(alpha, eps), eps)
+        lost = eps * end
+        strong = lost > 0.5
+        weak_drag = 0.5 - s * end * _third_moment(np.where(strong, 0.0, lost))
+        strong_drag = lost + s * (end - 2 * s)
+        return np.where(strong, strong_drag, weak_drag)
 
     return named._solve(condition, epsilon)
 
 
-def _flight(
-    alpha: FloatArray,
-) -> tuple[tuple[FloatArray, FloatArray, FloatArray], tuple[FloatArray, FloatArray, FloatArray]]:
-    """Launch velocity and gravity, each of length 1."""
-    sine, cosine = np.asarray(np.sin(alpha)), np.asarray(np.cos(alpha))
-    zero = np.zeros(np.shape(sine))
-    return (cosine, sine, zero), (zero, zero - 1, zero)
+def _third_moment(delta: FloatArray) -> FloatArray:
+    """∫₀¹ x²/(1 − δx) dx for δ up to 1/2, where 16 Gauss nodes are exact."""
+    nodes, weights = gauss_legendre()
+    x, weight = 0.5 * (1 + nodes), 0.5 * weights
+    return np.asarray((x * x / (1 - delta[..., np.newaxis] * x)) @ weight)

@@ -1,4 +1,4 @@
-"""Integrals along a flight: the length of the path, and what its greatest value needs.
+"""The length of a path: an integral along the flight.
 
 With constant pull a, the velocity is V e^{−bt} + a D(t). Along −a it is (a/b)(q e^{−bt} − 1) with
 q = 1 + bVₐ/a, across it Vₚ e^{−bt}; so the speed has its nearest complex zeros, where it is not
@@ -8,7 +8,6 @@ there by a factor 3 keep them a panel away, and Gauss-Legendre quadrature gives 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
@@ -32,43 +31,18 @@ def path_length(
     until: npt.ArrayLike, launch: Triple, pull: Triple, drag_rate: npt.ArrayLike
 ) -> FloatArray:
     """Length of the path from time 0 to `until`; NaN for a time below 0 or not finite."""
-
-    def speed(time: FloatArray, at: Callable[[FloatArray], FloatArray]) -> FloatArray:
-        return speed_at(time, _columns(at, launch), _columns(at, pull), at(drag))
-
-    drag = array(drag_rate)
-    return flight_integral(speed, until, launch, pull, drag)
-
-
-def speed_at(time: FloatArray, launch: Triple, pull: Triple, drag: FloatArray) -> FloatArray:
-    """The speed at `time`."""
-    decay, moved = np.exp(-drag * time), drift(time, drag)
-    x, y, z = (v * decay + a * moved for v, a in zip(launch, pull, strict=True))
-    return np.asarray(np.hypot(np.hypot(x, z), y))
-
-
-def flight_integral(
-    integrand: Callable[[FloatArray, Callable[[FloatArray], FloatArray]], FloatArray],
-    until: npt.ArrayLike,
-    launch: Triple,
-    pull: Triple,
-    drag_rate: npt.ArrayLike,
-) -> FloatArray:
-    """∫ integrand dt from 0 to `until`.
-
-    The integrand takes times, with a last axis for the nodes, and a function that gives an array of
-    the shots the shape to go with them.
-    """
     stop, drag, *parts = np.broadcast_arrays(array(until), array(drag_rate), *launch, *pull)
+    good = (stop >= 0) & np.isfinite(stop)
+    stop = np.where(good, stop, 0.0)
+    columns = [part[..., np.newaxis] for part in (drag, *parts)]
+
+    def speed(time: FloatArray) -> FloatArray:
+        decay, moved = np.exp(-columns[0] * time), drift(time, columns[0])
+        x, y, z = (columns[k] * decay + columns[k + 3] * moved for k in (1, 2, 3))
+        return np.asarray(np.hypot(np.hypot(x, z), y))
+
     with np.errstate(all="ignore"):
-        good = (stop >= 0) & np.isfinite(stop)
-        stop = np.where(good, stop, 0.0)
-        edges = _edges(stop, parts[:3], parts[3:], drag)
-
-        def with_nodes(value: FloatArray) -> FloatArray:
-            return np.broadcast_to(value, stop.shape)[..., np.newaxis]
-
-        total = over_panels(lambda time: integrand(time, with_nodes), edges)
+        total = over_panels(speed, _edges(stop, parts[:3], parts[3:], drag))
     return np.where(good, total, np.nan)
 
 
@@ -100,8 +74,3 @@ def _edges(
         after.append(np.minimum(after[-1] + width, stop))
         width = width * (_GROWTH - 1) if len(after) == 2 else width * _GROWTH
     return [*reversed(before), *after[1:]]
-
-
-def _columns(at: Callable[[FloatArray], FloatArray], vector: Triple) -> Triple:
-    x, y, z = vector
-    return at(x), at(y), at(z)

@@ -56,7 +56,7 @@ def over_panels(
     Edges are arrays of one shape; the integrand is called with arrays that have one more axis, the
     last, for the nodes.
     """
-    nodes, weights = _gauss_legendre()
+    nodes, weights = gauss_legendre()
     total = np.zeros(np.shape(edges[0]))
     for left, right in pairwise(edges):
         if np.array_equal(left, right):
@@ -79,6 +79,7 @@ def _graded_edges(eps: FloatArray) -> list[FloatArray]:
 
 
 @cache
-def _gauss_legendre() -> tuple[FloatArray, FloatArray]:
+def gauss_legendre() -> tuple[FloatArray, FloatArray]:
+    """The 16 nodes, between −1 and 1, and their weights."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     return nodes, weights

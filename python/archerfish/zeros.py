@@ -36,13 +36,17 @@ def least_value(function: Function, low: npt.ArrayLike, high: npt.ArrayLike) -> 
     """The least value between `low` and `high` of a `function` that falls, then rises.
 
     The value has full precision; the place, known to half the digits, is not returned.
-    Golden-section search in the logarithm of the variable.
+    Golden-section search in the logarithm of the variable. What an element gives does not depend
+    on its neighbours: it rests while they go on.
     """
     left = np.log(np.asarray(low, dtype=np.float64))
     right = np.log(np.asarray(high, dtype=np.float64))
-    while np.any(right - left > 1e-9):
+    while np.any(wide := right - left > 1e-9):
         width = _GOLDEN * (right - left)
         first, second = right - width, left + width
         falling = function(np.exp(first)) > function(np.exp(second))
-        left, right = np.where(falling, first, left), np.where(falling, right, second)
+        left, right = (
+            np.where(wide & falling, first, left),
+            np.where(wide & ~falling, second, right),
+        )
     return function(np.exp(0.5 * (left + right)))

@@ -7,7 +7,7 @@ import pytest
 from archerfish import Launcher
 from archerfish.flight_angles import largest_area_angle, longest_path_angle, named_angles
 
-EPSILONS = ["0", "1e-9", "0.1", "1", "6"]
+EPSILONS = ["0", "1e-9", "0.1", "0.36", "0.999", "1.001", "6", "20"]
 
 
 def quantity(kind, angle, eps):
@@ -47,6 +47,15 @@ def test_the_derivative_vanishes(kind, function, eps):
         # One Newton step is how far the angle is from the true one: two units of the last digit.
         assert abs(slope / bend) < 4.5e-16
         assert bend < 0
+
+
+def test_a_hundred_thousand_drags_at_once_are_each_alone():
+    eps = np.concatenate([[0.0], np.logspace(-12, 6, 99_999)])
+    angles = named_angles(eps)
+    for index in (0, 1, 40_000, 66_670, 80_000, 99_999):
+        alone = named_angles(eps[index])
+        for name in alone.__dataclass_fields__:
+            assert getattr(angles, name)[index] == getattr(alone, name), (name, index)
 
 
 def test_without_drag():
