@@ -3,8 +3,6 @@
 //! Every function takes its arguments as slices at least as long as `out` and fills `out`.
 
 use crate::dispatch::batch;
-use crate::{flight, lambert, motion, real};
-
 pub use crate::dispatch::isa_name;
 
 /// A function of one number over slices.
@@ -16,10 +14,10 @@ pub type TernaryBatch = fn(&[f64], &[f64], &[f64], &mut [f64]);
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
-    ($table:ident: $type:ty; $($name:ident($($x:ident),+) = $kernel:path;)+) => {
+    ($table:ident: $type:ty; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
         $(batch! {
-            #[doc = concat!("[`", stringify!($kernel), "`] over slices.")]
-            $name, $kernel, $($x),+
+            #[doc = concat!("[`", stringify!($module), "::", stringify!($kernel), "`](crate::", stringify!($module), "::", stringify!($kernel), ") over slices.")]
+            $name, $module::$kernel, $($x),+
         })+
         /// Every function of this shape, by its public name.
         pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];

@@ -22,10 +22,12 @@ pub(crate) fn isa() -> Isa {
 
 #[cfg(target_arch = "x86_64")]
 fn choose(wanted: Option<&str>) -> Isa {
-    let avx512 = is_x86_feature_detected!("avx512f")
+    let fused = is_x86_feature_detected!("fma");
+    let avx512 = fused
+        && is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512dq")
         && is_x86_feature_detected!("avx512vl");
-    let avx2 = is_x86_feature_detected!("avx2");
+    let avx2 = fused && is_x86_feature_detected!("avx2");
     match wanted {
         Some("baseline") => Isa::Baseline,
         Some("avx2") if avx2 => Isa::Avx2,
@@ -79,38 +81,48 @@ pub(crate) fn in_blocks<const INPUTS: usize>(
     }
 }
 
+/// Defines a function that fills one slice with the values of a kernel at others.
+macro_rules! each {
+    ($name:ident, $kernel:path, $($x:ident),+) => {
+        #[inline(always)]
+        fn $name($($x: &[f64],)+ out: &mut [f64]) {
+            let n = out.len();
+            $(let $x = &$x[..n];)+
+            for i in 0..n {
+                out[i] = $kernel($($x[i]),+);
+            }
+        }
+    };
+}
+pub(crate) use each;
+
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $kernel:path, $($x:ident),+) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
             #[cfg(not(target_arch = "wasm32"))]
-            #[inline(always)]
-            fn body($($x: &[f64],)+ out: &mut [f64]) {
-                let n = out.len();
-                $(let $x = &$x[..n];)+
-                for i in 0..n {
-                    out[i] = $kernel($($x[i]),+);
-                }
-            }
+            $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
+            #[cfg(target_arch = "x86_64")]
+            $crate::dispatch::each!(fused, $crate::fused::$module::$kernel, $($x),+);
             #[cfg(target_arch = "wasm32")]
             fn body($($x: &[f64],)+ out: &mut [f64]) {
                 use $crate::dispatch::{BLOCK, in_blocks};
                 in_blocks([$($x),+], out, |[$($x),+]: &[[f64; BLOCK]; _], out| {
                     for i in 0..BLOCK {
-                        out[i] = $kernel($($x[i]),+);
+                        out[i] = $crate::$module::$kernel($($x[i]),+);
                     }
                 });
             }
             #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx2")]
+            #[target_feature(enable = "avx2,fma")]
             fn avx2($($x: &[f64],)+ out: &mut [f64]) {
-                body($($x,)+ out)
+                fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+            #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
             fn avx512($($x: &[f64],)+ out: &mut [f64]) {
-                body($($x,)+ out)
+                fused($($x,)+ out)
             }
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),

@@ -10,3 +10,8 @@ pub mod real;
 pub mod batch;
 #[cfg(feature = "std")]
 mod dispatch;
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+mod fused;
+
+/// Whether errors of products come from a fused instruction; `fused` is these modules with it.
+const FUSED: bool = false;

@@ -9,11 +9,11 @@
 //! parabola converge from there, for the low arc after one that solves `e⁻ʷ = 1 − ε√(X² + (Y + γβ)²)`
 //! for w. The last step has its residual in sums of two doubles; the angle is that of (Y + γβ, X).
 
+use super::super::real::double_double::{DoubleDouble, two_product};
+use super::super::real::{Exponential, angle, ln, polynomial, power_of_two, select, sqrt};
 use super::domain::is_drag;
 use super::envelope::Touching;
 use super::relaxation::{FALL_TAIL, RELAXED, Relaxation};
-use crate::real::double_double::{DoubleDouble, two_product};
-use crate::real::{Exponential, angle, ln, polynomial, power_of_two, select, sqrt};
 
 const LOW: f64 = -1.0;
 const HIGH: f64 = 1.0;

@@ -4,11 +4,11 @@
 //! which nothing cancels; it has gone the way p = x/cos α = 1/(s + ε) by then, and the envelope's
 //! height is its own.
 
+use super::super::real::double_double::{DoubleDouble, two_product, two_sum};
+use super::super::real::select;
 use super::domain::is_drag;
 use super::fall::fall;
 use super::height::height_after;
-use crate::real::double_double::{DoubleDouble, two_product, two_sum};
-use crate::real::select;
 
 /// The shot that touches the envelope at a given abscissa.
 pub(super) struct Touching {

@@ -4,8 +4,8 @@
 //! `t² E₂(εt) = p² ψ(εp)`, `ψ(v) = (−v − ln(1 − v))/v²`, which is φ(−v): from 1/2 without drag to
 //! ∞ at v = 1, where the way ends.
 
-use crate::real::Logarithm;
-use crate::real::double_double::DoubleDouble;
+use super::super::real::Logarithm;
+use super::super::real::double_double::DoubleDouble;
 
 /// `ψ(v)` for v in [0, 1), given 1 − v as well.
 ///

@@ -8,8 +8,8 @@
 //! small h, and as `((1 + u)(1 − e^{−2h}) − 2h) / (u (1 − e^{−2h}))` beyond, where nothing cancels
 //! but in the one difference that makes a residual small.
 
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use crate::real::{Exponential, polynomial, power_of_two, select};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::{Exponential, polynomial, power_of_two, select};
 
 // half_time_tail: minimax on [0.0, 0.5626], degree 7,
 // weighted error 4.01e-18: reference/coefficients.py half_time_tail

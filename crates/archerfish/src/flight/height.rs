@@ -1,9 +1,9 @@
 //! The trajectory as a curve.
 
+use super::super::real::double_double::{DoubleDouble, two_product};
+use super::super::real::{select, sin_cos_extended};
 use super::domain::{LARGE, SMALL, is_direction, is_drag};
 use super::fall::fall;
-use crate::real::double_double::{DoubleDouble, two_product};
-use crate::real::{select, sin_cos_extended};
 
 /// `p (s − p ψ)`: the height of a shot of slope s/c that has gone the way p, given ψ(εp).
 #[inline(always)]

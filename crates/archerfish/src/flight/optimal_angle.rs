@@ -6,11 +6,11 @@
 //! Method: ln(1 + p) is 1 + W₀(−1/e + ε²/e); one Newton step, its residual in sums of two doubles.
 //! Beyond ε = 2⁴⁰, `ε sin α = W` with `W + ln W = 2 ln ε − 1`, and α is its own sine.
 
+use super::super::lambert::lambertw0_offset;
+use super::super::real::double_double::{DoubleDouble, two_product};
+use super::super::real::{Logarithm, angle, exp_m1, ln, ln_1p, select};
 use super::domain::is_drag;
 use super::fall::fall;
-use crate::lambert::lambertw0_offset;
-use crate::real::double_double::{DoubleDouble, two_product};
-use crate::real::{Logarithm, angle, exp_m1, ln, ln_1p, select};
 
 const INVERSE_E: f64 = 0.36787944117144233;
 const STRONG: f64 = 1099511627776.0; // 2⁴⁰

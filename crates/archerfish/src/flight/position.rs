@@ -4,10 +4,10 @@
 //! cancels but the rise against the fall. Beyond w = 75 all that is left of the exponential is its
 //! limit: `x = cos α / ε`, `y = (sin α + 1/ε − t)/ε`, and w itself, which may overflow, is not needed.
 
+use super::super::real::double_double::{DoubleDouble, two_product};
+use super::super::real::{select, sin_cos_extended};
 use super::domain::{is_direction, is_drag, is_later};
 use super::relaxation::{RELAXED, Relaxation, clamped};
-use crate::real::double_double::{DoubleDouble, two_product};
-use crate::real::{select, sin_cos_extended};
 
 /// Abscissa at time t of the shot at launch angle α, `cos α (1 − e^{−εt})/ε`, in V₀²/g.
 ///

@@ -1,8 +1,8 @@
 //! Range.
 
+use super::super::real::select;
 use super::domain::{is_drag, is_rising};
 use super::time::LevelShot;
-use crate::real::select;
 
 /// Range over level ground, x(T), in V₀²/g; negative for α > π/2.
 ///

@@ -3,8 +3,8 @@
 //! Method: up to w = 0.7 `E₂ = 1/2 − w/6 + w² p(w)` and `E₁ = 1 − w E₂`; beyond, from e⁻ʷ,
 //! `E₁ = (1 − e⁻ʷ)/w` and `E₂ = (1 − E₁)/w`, which lose a bit or two of more than there need be.
 
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use crate::real::{Exponential, polynomial, power_of_two, select};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::{Exponential, polynomial, power_of_two, select};
 
 // fall_tail: minimax on [0.0, 0.7001], degree 9,
 // weighted error 1.54e-18: reference/coefficients.py fall_tail

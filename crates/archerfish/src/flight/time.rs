@@ -1,9 +1,9 @@
 //! Time of flight.
 
+use super::super::real::double_double::{DoubleDouble, two_sum};
+use super::super::real::{select, sin_cos_extended};
 use super::domain::{LARGE, SMALL, is_drag, is_rising};
 use super::half_time::half_time;
-use crate::real::double_double::{DoubleDouble, two_sum};
-use crate::real::{select, sin_cos_extended};
 
 /// A shot over level ground.
 pub(super) struct LevelShot {

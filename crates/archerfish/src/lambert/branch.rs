@@ -4,8 +4,8 @@
 //! `v = p − p²/3 + 11p³/72 − …` of p. The offset δ = z + 1/e is what keeps the digits: it arrives
 //! as a sum of two doubles.
 
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use crate::real::{polynomial, select, sqrt};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::{polynomial, select, sqrt};
 
 // principal_tail: minimax on [0.0, 0.501], degree 13,
 // weighted error 3.58e-18: reference/coefficients.py principal_tail

@@ -3,10 +3,10 @@
 //! Method: near the branch point its series; elsewhere −w₀ = 1 + η R(η), η = √(2(−1 − ln(−z))),
 //! which is smooth even at the branch point, and one step.
 
+use super::super::real::double_double::DoubleDouble;
+use super::super::real::{polynomial, select, sqrt};
 use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near};
 use super::step::{correction, one_plus_corrected, rough_ln};
-use crate::real::double_double::DoubleDouble;
-use crate::real::{polynomial, select, sqrt};
 
 // lower_start: 0.71 of the error that can be borne: reference/coefficients.py lower_start
 const LOWER_START_TOP: [f64; 5] =

@@ -3,10 +3,10 @@
 //! Method: near the branch point its series; elsewhere w₀ = ln(1+z) R(y),
 //! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
 
+use super::super::real::double_double::DoubleDouble;
+use super::super::real::{polynomial, select, sqrt};
 use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near};
 use super::step::{correction, one_plus_corrected, rough_ln_1p};
-use crate::real::double_double::DoubleDouble;
-use crate::real::{polynomial, select, sqrt};
 
 // principal_start: 0.18 of the error that can be borne: reference/coefficients.py principal_start
 const PRINCIPAL_START_TOP: [f64; 8] = [

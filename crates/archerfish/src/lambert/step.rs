@@ -5,8 +5,8 @@
 //! error of the fourth. r is the difference of nearly equal numbers and is formed in sums of two
 //! doubles; everything after it is small and needs few digits.
 
-use crate::real::double_double::{DoubleDouble, two_sum};
-use crate::real::{
+use super::super::real::double_double::{DoubleDouble, two_sum};
+use super::super::real::{
     Exponential, exponent_and_significand, nearest_integer, polynomial, power_of_two, select,
 };
 

@@ -1,8 +1,8 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
+use super::super::real::double_double::fast_two_sum;
+use super::super::real::{Logarithm, angle, select};
 use super::launch::{Launch, Scaled, within_domain};
-use crate::real::double_double::fast_two_sum;
-use crate::real::{Logarithm, angle, select};
 
 impl Launch {
     /// `x = sin α cos α / q`

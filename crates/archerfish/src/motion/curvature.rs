@@ -4,9 +4,9 @@
 //! apex), `ρK = q (m (m + 2 p cos²α) + sin²α cos²α (3 + k)) / (sin²α cos²α + m²)^{3/2}`.
 //! All of it stays of moderate size for every ε, and the denominator is never near zero.
 
+use super::super::real::double_double::DoubleDouble;
 use super::launch::{Launch, within_domain};
 use super::locus::Elevated;
-use crate::real::double_double::DoubleDouble;
 
 const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 600) << 52);

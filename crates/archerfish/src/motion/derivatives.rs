@@ -9,11 +9,14 @@
 //!
 //! and `d²α/dθ² = −θ″/θ′³ = cos α (w P − p Q) Q / P³`.
 
+use super::super::real::double_double::DoubleDouble;
+use super::super::real::select;
 use super::drag::Drag;
 use super::launch::{LARGE, Launch, SMALL, Scaled, TINY, within_domain};
 use super::locus::Elevated;
-use crate::real::double_double::DoubleDouble;
-use crate::real::select;
+
+/// 2²⁰⁰
+const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
 impl Elevated {
     /// `dα/dθ = Q/P`
@@ -39,17 +42,21 @@ impl Launch {
         let (gain, sigma_plus_one) = (drag.gain(), drag.sigma_plus_one());
         let Drag { sigma_rest, rho, a, .. } = drag;
         let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
-        let b = sigma_rest.times_double(self.epsilon).times(sigma_rest).scale(0.5);
+        // what is proportional to the result is lifted off the end of the range, then put back
+        let far = self.u.hi > 1e100;
+        let (factor, back) = (select(far, LIFT, 1.0), select(far, 1.0 / LIFT, 1.0));
+        let (lifted_rest, lifted_a) = (sigma_rest.scale(factor), a.scale(factor));
+        let b = lifted_rest.times_double(self.epsilon).times(sigma_rest).scale(0.5);
         let p = b.times(cos2.div(sigma_plus_one).sub(rho.times(sin2.add(cos2.times(sigma_rest)))));
-        let bracket = a
+        let bracket = lifted_a
             .times(sigma_plus_one.sub(sigma_rest.times(gain)))
-            .add(sigma_rest.times(gain.add_double(1.0)));
+            .add(lifted_rest.times(gain.add_double(1.0)));
         let w = self.sin.times(bracket).neg();
         let slope = gain.add(cos2.times(a));
         let stretch = cos2.add(sin2.times(gain.squared()));
         let difference = w.times(slope).sub(p.times(stretch));
         let top = self.cos.times(difference).times(stretch);
-        top.quotient(slope.squared().mul(slope))
+        top.quotient(slope.squared().mul(slope)) * back
     }
 }
 

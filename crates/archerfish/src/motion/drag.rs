@@ -11,8 +11,8 @@
 //! σ = (τ + s)/(1 + τ s). Then `artanh σ − σ = (k ln 2/2 − τ) + s³ ρ(s²) + τ s σ`: a sum of positive
 //! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
-use crate::real::double_double::{DoubleDouble, Number};
-use crate::real::{LN2_HI, LN2_LO, exponent_and_mantissa, polynomial, power_of_two, select};
+use super::super::real::double_double::{DoubleDouble, Number};
+use super::super::real::{LN2_HI, LN2_LO, exponent_and_mantissa, polynomial, power_of_two, select};
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
 // weighted error 1.36e-18: reference/coefficients.py artanh_tail
@@ -69,7 +69,7 @@ impl<T: Number> Drag<T> {
 
         let denominator = number(2.0) + u;
         let inverse = number(1.0) / denominator;
-        let (sigma, sigma_rest) = (u * inverse, number(2.0) * inverse);
+        let (sigma, sigma_rest) = (u * inverse, inverse.scaled(2.0));
 
         let tau = (number(1.0) - number(power)) / (number(1.0) + number(power));
         let half_k = number(0.5 * k);
@@ -81,7 +81,7 @@ impl<T: Number> Drag<T> {
         // a = 2 (artanh σ − σ)(2 + u)/u², which is (1 − σ)(artanh σ − σ)/σ², and ρ = a/(σ(1 − σ))
         let over = number(1.0) / u;
         let ratio = denominator * over;
-        let above = excess * ratio * over * number(2.0);
+        let above = (excess * ratio * over).scaled(2.0);
         let rho = T::either(k == 0.0, rho_s, excess * ratio * ratio * ratio);
         Drag { sigma, sigma_rest, rho, a: T::either(k == 0.0, sigma * sigma_rest * rho_s, above) }
     }
@@ -101,12 +101,12 @@ impl<T: Number> Drag<T> {
     /// `G(u) = (1 + σ)(1 − a)/2`
     #[inline(always)]
     pub fn gain(&self) -> T {
-        self.sigma_plus_one() * self.a_rest() * T::from_double(0.5)
+        (self.sigma_plus_one() * self.a_rest()).scaled(0.5)
     }
 
     /// `1 − G(u) = ((1 − σ) + (1 + σ) a)/2`, from 1/2 to 0
     #[inline(always)]
     pub fn gain_rest(&self) -> T {
-        (self.sigma_rest + self.sigma_plus_one() * self.a) * T::from_double(0.5)
+        (self.sigma_rest + self.sigma_plus_one() * self.a).scaled(0.5)
     }
 }

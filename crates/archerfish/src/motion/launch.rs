@@ -1,8 +1,8 @@
 //! One launch: the direction, and the drag it meets.
 
+use super::super::real::double_double::{DoubleDouble, fast_two_sum};
+use super::super::real::{select, sin_cos_extended};
 use super::drag::Drag;
-use crate::real::double_double::{DoubleDouble, fast_two_sum};
-use crate::real::{select, sin_cos_extended};
 
 /// A launch at angle α with drag parameter ε.
 pub(crate) struct Launch {

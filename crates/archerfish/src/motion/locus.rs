@@ -9,10 +9,10 @@
 //! `tan β = (1 − g) sin θ cos θ / (g cos²θ + sin²θ)`. One step of fourth order on the equation for
 //! β leaves an error far below the last digit, and θ + β is rounded once.
 
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::{polynomial, select, sin_cos_extended, sin_cos_reduced, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
-use crate::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use crate::real::{polynomial, select, sin_cos_extended, sin_cos_reduced, sqrt};
 
 // rough_gain: 0.95 of the error that can be borne: reference/coefficients.py rough_gain
 const ROUGH_GAIN_TOP: [f64; 6] =

@@ -1,9 +1,10 @@
 //! Unevaluated sums of two doubles, for the few places where one rounding is one too many.
 //!
 //! References: T. J. Dekker, Numer. Math. 18 (1971); D. E. Knuth, TAOCP 2, §4.2.2.
-//! Products split their factors by masking, so that no fused instruction is needed and nothing
-//! overflows that the product itself does not.
+//! The rounding error of a product is itself a double. One fused instruction gives it, or Dekker's
+//! seventeen operations: the very same number, short of the ends of the range.
 
+use super::super::FUSED;
 use core::ops::{Add, Div, Mul, Sub};
 
 /// The sum `hi + lo`, with `|lo|` far below `|hi|`.
@@ -13,11 +14,25 @@ pub(crate) struct DoubleDouble {
     pub lo: f64,
 }
 
-/// The leading 26 bits of `a`, and the rest: their sum is `a`, products of two heads are exact.
+/// The nearest number of 26 bits, and the rest, of 26 bits too: products of such are exact.
 #[inline(always)]
-pub(crate) fn split(a: f64) -> (f64, f64) {
-    let head = f64::from_bits(a.to_bits() & 0xffff_ffff_f800_0000);
+fn split(a: f64) -> (f64, f64) {
+    const HALF: u64 = 1 << 26;
+    const HEAD: u64 = !((1 << 27) - 1);
+    let head = f64::from_bits(a.to_bits().wrapping_add(HALF) & HEAD);
     (head, a - head)
+}
+
+/// `a b − p`, p being `a * b` as rounded.
+#[inline(always)]
+fn product_error(a: f64, b: f64, p: f64) -> f64 {
+    #[cfg(feature = "std")]
+    if FUSED {
+        return a.mul_add(b, -p);
+    }
+    let (a_head, a_tail) = split(a);
+    let (b_head, b_tail) = split(b);
+    ((a_head * b_head - p) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail
 }
 
 /// `a + b` exactly, for any two numbers.
@@ -36,14 +51,23 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-/// `a * b` to 2⁻¹⁰⁶ of itself.
+/// `a * b` exactly.
 #[inline(always)]
 pub(crate) fn two_product(a: f64, b: f64) -> DoubleDouble {
-    let (a_head, a_tail) = split(a);
-    let (b_head, b_tail) = split(b);
     let hi = a * b;
-    let lo = ((a_head * b_head - hi) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail;
-    DoubleDouble { hi, lo }
+    DoubleDouble { hi, lo: product_error(a, b, hi) }
+}
+
+/// `a²` exactly.
+#[inline(always)]
+pub(crate) fn two_square(a: f64) -> DoubleDouble {
+    let hi = a * a;
+    #[cfg(feature = "std")]
+    if FUSED {
+        return DoubleDouble { hi, lo: a.mul_add(a, -hi) };
+    }
+    let (head, tail) = split(a);
+    DoubleDouble { hi, lo: ((head * head - hi) + 2.0 * head * tail) + tail * tail }
 }
 
 impl DoubleDouble {
@@ -85,51 +109,41 @@ impl DoubleDouble {
         DoubleDouble { hi: -self.hi, lo: -self.lo }
     }
 
-    /// `self * b`, to 2⁻⁷⁸ of itself.
+    /// `self * b`, to 2⁻¹⁰⁰ of itself.
     #[inline(always)]
     pub fn mul(self, b: Self) -> Self {
         let product = self.times(b);
         fast_two_sum(product.hi, product.lo)
     }
 
-    /// `self * b` where `b` is one double, to 2⁻⁷⁸ of itself.
+    /// `self * b` where `b` is one double, to 2⁻¹⁰⁰ of itself.
     #[inline(always)]
     pub fn mul_double(self, b: f64) -> Self {
         let product = self.times_double(b);
         fast_two_sum(product.hi, product.lo)
     }
 
-    /// `mul` with the parts left as they fall: `hi` alone is good to 2⁻²⁵ only. For what goes into
-    /// further products and sums, not for a divisor.
+    /// `self * b`, to 2⁻¹⁰⁰ of itself; hi is at most a few units in the last place from the nearest
+    /// double. For what goes into further products and sums.
     #[inline(always)]
     pub fn times(self, b: Self) -> Self {
-        let (a_head, a_tail) = split(self.hi);
-        let (b_head, b_tail) = split(b.hi);
-        let (a_tail, b_tail) = (a_tail + self.lo, b_tail + b.lo);
-        DoubleDouble {
-            hi: a_head * b_head,
-            lo: (a_head * b_tail + a_tail * b_head) + a_tail * b_tail,
-        }
+        let product = two_product(self.hi, b.hi);
+        let across = self.hi * b.lo + self.lo * b.hi;
+        DoubleDouble { hi: product.hi, lo: product.lo + across }
     }
 
-    /// `mul_double`, left as it falls.
+    /// `self * b` where `b` is one double, as `times`.
     #[inline(always)]
     pub fn times_double(self, b: f64) -> Self {
-        let (a_head, a_tail) = split(self.hi);
-        let (b_head, b_tail) = split(b);
-        let a_tail = a_tail + self.lo;
-        DoubleDouble {
-            hi: a_head * b_head,
-            lo: (a_head * b_tail + a_tail * b_head) + a_tail * b_tail,
-        }
+        let product = two_product(self.hi, b);
+        DoubleDouble { hi: product.hi, lo: product.lo + self.lo * b }
     }
 
-    /// `square`, left as it falls.
+    /// `self²`, as `times`.
     #[inline(always)]
     pub fn squared(self) -> Self {
-        let (head, tail) = split(self.hi);
-        let tail = tail + self.lo;
-        DoubleDouble { hi: head * head, lo: tail * (2.0 * head + tail) }
+        let square = two_square(self.hi);
+        DoubleDouble { hi: square.hi, lo: square.lo + (self.hi + self.hi) * self.lo }
     }
 
     /// `self / b`, rounded.
@@ -148,7 +162,7 @@ impl DoubleDouble {
         DoubleDouble { hi: self.hi * b, lo: self.lo * b }
     }
 
-    /// `self²`, to 2⁻⁷⁸ of itself.
+    /// `self²`, to 2⁻¹⁰⁰ of itself.
     #[inline(always)]
     pub fn square(self) -> Self {
         let square = self.squared();
@@ -174,7 +188,7 @@ impl DoubleDouble {
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         let root = super::sqrt(self.hi);
-        let square = two_product(root, root);
+        let square = two_square(root);
         let rest = ((self.hi - square.hi) - square.lo) + self.lo;
         fast_two_sum(root, rest / (root + root))
     }
@@ -201,6 +215,8 @@ pub(crate) trait Number:
     fn from_sum(a: f64, b: f64) -> Self;
     /// The nearest double.
     fn nearest(self) -> f64;
+    /// `self * factor`, a power of two.
+    fn scaled(self, factor: f64) -> Self;
     /// `self + a` in two doubles, whatever the type.
     fn plus_exactly(self, a: f64) -> DoubleDouble;
     /// `a` where the condition holds, else `b`.
@@ -223,6 +239,10 @@ impl Number for f64 {
     #[inline(always)]
     fn nearest(self) -> f64 {
         self
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        self * factor
     }
     #[inline(always)]
     fn plus_exactly(self, a: f64) -> DoubleDouble {
@@ -250,6 +270,10 @@ impl Number for DoubleDouble {
     #[inline(always)]
     fn nearest(self) -> f64 {
         self.round()
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        self.scale(factor)
     }
     #[inline(always)]
     fn plus_exactly(self, a: f64) -> DoubleDouble {

@@ -3,7 +3,7 @@
 //! Method: `x = n ln 2 + r` with |r| ≤ ln 2 / 2, `eˣ = 2ⁿ (1 + m)` with
 //! `m = eʳ − 1 = r + r²/2 + r³ p(r)`, the first two terms as exact sums.
 
-use super::double_double::{DoubleDouble, fast_two_sum, split, two_sum};
+use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
 use super::{LN2_HI, LN2_LO, nearest_integer, polynomial, power_of_two, select};
 
 // exp_tail: minimax on [-0.346608, 0.346608], degree 9,
@@ -33,11 +33,11 @@ impl Exponential {
     pub fn of(x: f64) -> Self {
         let n = nearest_integer(x * core::f64::consts::LOG2_E);
         let r = fast_two_sum(x - n * LN2_HI, -(n * LN2_LO));
-        let (head, rest) = split(r.hi);
-        let tail = r.hi * r.hi * r.hi * polynomial(r.hi, &EXP_TAIL);
-        // r²/2 = head²/2 + (r + head) rest/2; r.lo enters with its derivative 1 + r + …
-        let m = fast_two_sum(r.hi, 0.5 * head * head);
-        let small = 0.5 * ((r.hi + head) * rest) + (tail + r.lo * (1.0 + r.hi));
+        let square = two_square(r.hi);
+        let tail = r.hi * square.hi * polynomial(r.hi, &EXP_TAIL);
+        // r.lo enters with its derivative 1 + r + …
+        let m = fast_two_sum(r.hi, 0.5 * square.hi);
+        let small = 0.5 * square.lo + (tail + r.lo * (1.0 + r.hi));
         Exponential { n, m: fast_two_sum(m.hi, m.lo + small) }
     }
 

@@ -3,7 +3,7 @@
 //! Method: `x = k π/2 + r`, |r| ≤ π/4, with π/2 in three parts of which the first two multiply k
 //! exactly; `sin r = r + r³ S(r²)`, `cos r = 1 − r²/2 + r⁴ C(r²)`.
 
-use super::double_double::{DoubleDouble, fast_two_sum, split, two_sum};
+use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
 use super::{MAGIC, polynomial, select};
 
 // sin_tail: minimax on [0.0, 0.616912], degree 5,
@@ -37,18 +37,14 @@ const HALF_PI: [f64; 3] = [
 /// `sin r` and `cos r` for |r| ≤ π/4, each to 2⁻⁵⁶ of itself.
 #[inline(always)]
 pub(crate) fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    let (head, rest) = split(r.hi);
-    let head_square = head * head;
-    let rest_square = rest * (r.hi + head);
-    let z = r.hi * r.hi;
-    let z_low = (head_square - z) + rest_square;
+    let DoubleDouble { hi: z, lo: z_low } = two_square(r.hi);
     // the leading term −r³/6 apart: it is a seventh of sin r, and its roundings are felt
     let cube = r.hi * z;
     let [sixth, tail @ ..] = SIN_TAIL;
     let small = cube * (z * polynomial(z, &tail)) + r.hi * (sixth * z_low);
     let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
-    let cos = fast_two_sum(1.0, -0.5 * head_square);
-    let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * rest_square + r.hi * r.lo);
+    let cos = fast_two_sum(1.0, -0.5 * z);
+    let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * z_low + r.hi * r.lo);
     (sin, fast_two_sum(cos.hi, cos.lo + cos_tail))
 }
 
