@@ -257,3 +257,16 @@ def test_a_terminal_gets_a_bar_for_long_work(tmp_path):
     assert "%" in text
     assert "rows" in text
     assert text.rstrip().endswith("wrote out.csv")
+
+
+def test_cells_that_want_quotes_keep_them(output):
+    """A block with such a cell and one without are written in two ways, which must agree."""
+    names = ["plain", "a, b", 'said "so"', "two\nlines", "", " spaces "]
+    table = io.StringIO()
+    csv.writer(table).writerows([["name", "launch_angle_deg"], *([name, 45] for name in names)])
+    flags = ("--speed", "3", "--epsilon", "1", "--batch", "-")
+    found = rows(output("shot", *flags, input=table.getvalue()))
+    assert [row["name"] for row in found] == names
+    alone = output("shot", *flags, input="name,launch_angle_deg\nplain,45\n")
+    assert rows(alone)[0] == found[0]
+    assert len({tuple(list(row.values())[1:]) for row in found}) == 1
