@@ -93,16 +93,19 @@ class Arc(Value):
     def clearance_over(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Quantity:
         """How far above an obstacle at `x`, `y` (m) the arc passes: negative if it hits it.
 
-        NaN where the arc ends before it gets there.
+        `x` and `y` broadcast with the targets. NaN where the arc ends before it gets there; the
+        lower pass where a headwind brings the projectile by twice.
 
         >>> from archerfish import Launcher
         >>> arcs = Launcher(10.0, epsilon=0.1).aim(6.0, 2.0)
         >>> arcs.low.clearance_over(4.0, 2.5) > 0, arcs.high.clearance_over(4.0, 2.5) > 0
         (False, True)
         """
-        time = self.shot.time_at(x)
-        height = array(self.shot.height_at(x))
-        return frozen(np.where(time <= np.asarray(self.time), height - array(y), np.nan))
+        passes = [
+            np.where(time <= np.asarray(self.time), self.shot.position(time).y - array(y), np.nan)
+            for time in (self.shot.time_at(x), self.shot.time_again_at(x))
+        ]
+        return frozen(np.fmin(*passes))
 
     def clearance_under(self, ceiling: npt.ArrayLike) -> Quantity:
         """How far below a `ceiling` (m) the arc stays on its way to the target; negative if not.

@@ -335,8 +335,25 @@ class Shot(Value):
             time = time_of_drift(array(x) / speed, self._drag)
             time = np.where(array(x) == 0, 0.0, time)
             if np.any(pull != 0):
-                time = np.where(pull == 0, time, _time_in_wind(array(x), speed, pull, self._drag))
+                windy, _ = _times_in_wind(array(x), speed, pull, self._drag)
+                time = np.where(pull == 0, time, windy)
         return frozen(time)
+
+    def time_again_at(self, x: npt.ArrayLike) -> Quantity:
+        """The second time (s) at which the shot is at `x` (m): a headwind can blow it back there.
+
+        NaN where it is there once or never.
+
+        >>> from archerfish import Launcher
+        >>> shot = Launcher(10.0, drag_rate=0.5).shot(1.0, wind=(-4.0, 0.0))
+        >>> shot.time_at(1.0) < shot.time_again_at(1.0)
+        True
+        """
+        places = np.broadcast_arrays(array(x), self._launch[0], self._pull[0], self._drag)
+        if not np.any(places[2]):
+            return frozen(np.full(places[0].shape, np.nan))
+        with np.errstate(all="ignore"):
+            return frozen(_times_in_wind(*places)[1])
 
     def height_at(self, x: npt.ArrayLike) -> Quantity:
         """y (m) where the shot first is at horizontal coordinate `x` (m), NaN where it never is.
@@ -426,25 +443,27 @@ def wind_vector(wind: Any) -> Vector:
     return Vector(x, y, z)
 
 
-def _time_in_wind(
+def _times_in_wind(
     x: FloatArray, speed: FloatArray, pull: FloatArray, drag: FloatArray
-) -> FloatArray:
-    """The first t with `speed` D(t) + `pull` F(t) = `x`, for a pull that is not 0."""
+) -> tuple[FloatArray, FloatArray]:
+    """The first and second t with `speed` D(t) + `pull` F(t) = `x`, for a pull that is not 0."""
     x, speed, pull, drag = np.broadcast_arrays(x, speed, pull, drag)
     forward = np.where(speed != 0, np.sign(speed), np.sign(pull))
     x, speed, pull = x * forward, speed * forward, pull * forward
     # A headwind turns the projectile round where its velocity along x is 0.
-    ratio = np.where(pull < 0, speed / -pull, np.inf)
-    turn = np.where(pull < 0, np.log1p(drag * ratio) / drag, 1e150)
-    farthest = speed * drift(turn, drag) + pull * fall(turn, drag)
-    returning = x < 0
+    headwind = pull < 0
+    ratio = np.where(headwind, speed / -pull, np.inf)
+    turn = np.where(headwind, np.log1p(drag * ratio) / drag, 1e150)
 
-    def before(time: FloatArray) -> FloatArray:
-        gone = speed * drift(time, drag) + pull * fall(time, drag)
-        return np.where(returning, gone - x, x - gone)
+    def gone(time: FloatArray) -> FloatArray:
+        return speed * drift(time, drag) + pull * fall(time, drag)
 
-    low = np.where(returning, np.where(pull < 0, turn, 1e150), 5e-324)
-    high = np.where(returning, 1e150, turn)
-    time = zero_between(before, low, np.maximum(low, high))
-    never = ((x > farthest) & (pull < 0)) | ((pull > 0) & (x < 0)) | np.isnan(x * speed)
-    return np.where(never, np.nan, np.where(x == 0, 0.0, time))
+    forth = zero_between(lambda time: x - gone(time), np.full(x.shape, 5e-324), turn)
+    back = zero_between(lambda time: gone(time) - x, turn, np.full(x.shape, 1e150))
+    known = ~np.isnan(x * speed)
+    reached, headwind = known & (x <= gone(turn)), known & headwind
+    forth = np.where(x == 0, 0.0, forth)
+    # What lies behind the launch point is passed on the way back alone.
+    first = np.where(x >= 0, np.where(reached, forth, np.nan), np.where(headwind, back, np.nan))
+    second = np.where((x >= 0) & reached & headwind, back, np.nan)
+    return first, second

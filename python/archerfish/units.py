@@ -47,6 +47,7 @@ UNITS = {
     "flight_time": "s",
     "apex_time": "s",
     "time_at": "s",
+    "time_again_at": "s",
     "time_scale": "s",
     "speed": "m/s",
     "impact_speed": "m/s",

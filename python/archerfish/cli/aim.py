@@ -9,12 +9,15 @@ import click
 import numpy as np
 
 from archerfish.cli import case
-from archerfish.cli.batch import Question
+from archerfish.cli.batch import Extra, Question
 from archerfish.cli.errors import reported
+from archerfish.cli.options import file_format
 from archerfish.cli.parameters import (
+    CEILING,
     DRAGS,
     GRAVITY,
     HEIGHT,
+    OBSTACLE,
     SPEED,
     WIND,
     Values,
@@ -48,15 +51,22 @@ COLUMNS = (
     "minimum_speed_m_per_s",
     "status",
 )
+OVER = ("low_over_obstacle_m", "high_over_obstacle_m")
+UNDER = ("low_under_ceiling_m", "high_under_ceiling_m")
 STATUS = np.array(["reachable", "unreachable", "undefined"])
 
 
 def aim_of(values: Values) -> Aim | Unreachable:
     """The answer for these targets."""
     targets = {name: values[name] for name in ("x", "y", "z") if name in values}
-    for name, value in targets.items():
+    places = {f"target {name}": value for name, value in targets.items()} | {
+        each.name.replace("_", " "): values[each.name]
+        for each in (*OBSTACLE, CEILING)
+        if each.name in values
+    }
+    for name, value in places.items():
         if not np.all(np.isfinite(value)):
-            raise ValueError(f"target {name} must be finite, got {value!s}")
+            raise ValueError(f"{name} must be finite, got {value!s}")
     return launcher_of(values).aim(**targets, height=values["height"], wind=wind_of(values))
 
 
@@ -80,6 +90,13 @@ def compute(values: Values) -> dict[str, Any]:
             np.degrees(arc.impact_angle),
         )
         columns |= dict(zip((f"{side}_{name}" for name in ARC_COLUMNS), quantities, strict=True))
+    arcs = (found.low, found.high)
+    if "obstacle_x" in values:
+        place = values["obstacle_x"], values["obstacle_y"]
+        columns |= dict(zip(OVER, (arc.clearance_over(*place) for arc in arcs), strict=True))
+    if "ceiling" in values:
+        below = (arc.clearance_under(values["ceiling"]) for arc in arcs)
+        columns |= dict(zip(UNDER, below, strict=True))
     margins = np.atleast_1d(found.margin).tolist()
     status = STATUS[np.atleast_1d(found.status)].tolist()
     return columns | {
@@ -98,6 +115,7 @@ QUESTION = Question(
     optional=(GRAVITY, *DRAGS, Z, HEIGHT, *WIND),
     columns=COLUMNS,
     compute=compute,
+    extras=(Extra(OBSTACLE, OVER), Extra((CEILING,), UNDER)),
 )
 
 
@@ -108,19 +126,20 @@ Examples:
   archerfish aim --speed 10 --epsilon 0.1 --x 6 --y 2 --obstacle 3 2.5 --ceiling 4
   archerfish aim --speed 25 --drag-rate 0.3 --x 30 --y 0 --z 5 --wind-z -4 --figure aim.svg
   archerfish aim --batch targets.csv --speed 10 --epsilon 0.1 --output arcs.csv
-      columns x_m, y_m and any other parameter that differs from row to row
+      columns x_m, y_m and any other parameter that differs from row to row;
+      obstacle_x_m and obstacle_y_m, ceiling_m: how far each arc clears them
 """,
 )
-@flags(*QUESTION.parameters)
+@flags(*QUESTION.required, *QUESTION.optional)
 @click.option(
     "--obstacle",
     "obstacles",
     type=(float, float),
     multiple=True,
     metavar="X Y",
-    help="A point to pass over, m. May be repeated.",
+    help="A point to pass over, m. May be repeated for a table.",
 )
-@click.option("--ceiling", type=float, help="A height to stay under, m.")
+@flags(CEILING)
 @case.destinations
 def aim(
     batch: str | None,
@@ -128,7 +147,6 @@ def aim(
     output: Path | None,
     figure_paths: tuple[Path, ...],
     obstacles: tuple[tuple[float, float], ...],
-    ceiling: float | None,
     **flags: float | None,
 ) -> int:
     """Aim at a target: both arcs that hit it, or how far above the envelope it is.
@@ -137,16 +155,20 @@ def aim(
     by elevation and azimuth. Angles are in degrees, everything else in SI units.
     """
     values = case.given(flags)
+    if obstacles:
+        values |= dict(zip((each.name for each in OBSTACLE), obstacles[0], strict=True))
+    table = batch is None and file_format(chosen_format, output, case.FORMATS) == "table"
+    if len(obstacles) > 1 and not table:
+        count = len(obstacles)
+        raise click.UsageError(f"only a table has room for several --obstacle, got {count}")
     if batch is not None:
-        if obstacles or ceiling is not None:
-            raise click.UsageError("--obstacle and --ceiling go with one target, not a --batch")
         case.run_batch(QUESTION, batch, values, output, chosen_format, figure_paths)
         return 0
     values = case.case_values(QUESTION, values)
     with reported():
         answer = aim_of(values)
     case.show(
-        table=lambda: _table(answer, obstacles, ceiling),
+        table=lambda: _table(answer, obstacles, values.get("ceiling")),
         columns=lambda: case.answer(QUESTION, values),
         output=output,
         chosen_format=chosen_format,

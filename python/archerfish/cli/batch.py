@@ -12,7 +12,7 @@ import itertools
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, BinaryIO, TextIO
@@ -40,6 +40,14 @@ Compute = Callable[[Values], Answer]
 
 
 @dataclass(frozen=True)
+class Extra:
+    """Parameters to be given together or not at all, and the columns they are answered by."""
+
+    parameters: tuple[Parameter, ...]
+    columns: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Question:
     """What a command asks of each row.
 
@@ -52,11 +60,18 @@ class Question:
     optional: tuple[Parameter, ...]
     columns: tuple[str, ...]
     compute: Compute
+    extras: tuple[Extra, ...] = ()
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """All of them."""
-        return self.required + self.optional
+        extras = (extra.parameters for extra in self.extras)
+        return self.required + self.optional + tuple(itertools.chain(*extras))
+
+    def answered(self, names: Container[str]) -> tuple[str, ...]:
+        """The columns that answer these parameters."""
+        asked = (extra for extra in self.extras if extra.parameters[0].name in names)
+        return self.columns + tuple(itertools.chain(*(extra.columns for extra in asked)))
 
 
 @dataclass
@@ -139,15 +154,16 @@ def _convert(
     shown = sys.stderr.isatty() and not (target is sys.stdout.buffer and sys.stdout.isatty())
     reader = csv.reader(stream)
     header = _header(reader, question, given)
+    columns = question.answered(_names(question, header, given))
     text = io.TextIOWrapper(
         target, "utf-8", errors="surrogateescape", newline="", write_through=True
     )
     try:
-        csv.writer(text, lineterminator="\n").writerow([*header, *question.columns, REASON])
+        csv.writer(text, lineterminator="\n").writerow([*header, *columns, REASON])
         tally = _Tally(command)
         with _progress(stream, size, shown) as advance:
             for block in _blocks(reader, tally):
-                _answer_block(question, header, block, given, text, tally)
+                _answer_block(question, columns, header, block, given, text, tally)
                 advance(tally)
         tally.end()
         text.flush()
@@ -182,10 +198,23 @@ def _header(reader: Iterator[list[str]], question: Question, given: Values) -> l
     for parameter in question.parameters:
         if parameter.column in header and given.get(parameter.name) is not None:
             raise _refused(f"give column {parameter.column} or {parameter.flag}, got both")
-    for name in (*question.columns, REASON):
+    names = _names(question, header, given)
+    for extra in question.extras:
+        found = [each for each in extra.parameters if each.name in names]
+        if found and len(found) < len(extra.parameters):
+            columns = " and ".join(each.column for each in extra.parameters)
+            raise _refused(f"give {columns} together, got {found[0].column} alone")
+    for name in (*question.answered(names), REASON):
         if name in header:
             raise _refused(f"column {name} is written by this command: rename it in the input")
     return header
+
+
+def _names(question: Question, header: list[str], given: Values) -> set[str]:
+    """The parameters that are columns or flags."""
+    return {
+        each.name for each in question.parameters if each.column in header or each.name in given
+    }
 
 
 def _refused(message: str) -> RefusedValue:
@@ -207,6 +236,7 @@ def _blocks(reader: Iterator[list[str]], tally: _Tally) -> Iterator[list[list[st
 
 def _answer_block(
     question: Question,
+    columns: tuple[str, ...],
     header: list[str],
     block: list[list[str]],
     given: Values,
@@ -226,7 +256,7 @@ def _answer_block(
             values[parameter.name] = np.full(len(block), float(given[parameter.name]))
         elif parameter.default is not None:
             values[parameter.name] = np.full(len(block), parameter.default)
-    results: dict[str, list[Any]] = {name: ["nan"] * len(block) for name in question.columns}
+    results: dict[str, list[Any]] = {name: ["nan"] * len(block) for name in columns}
     results[REASON] = reasons
     good = np.array([index for index, reason in enumerate(reasons) if not reason], dtype=np.intp)
     bad = set(range(len(block))) - set(good.tolist())
@@ -245,7 +275,7 @@ def _answer_block(
     for index in sorted(bad):
         tally.note(tally.rows + index + 1, reasons[index])
     tally.rows += len(block)
-    _write(target, kept, [results[name] for name in question.columns], results[REASON])
+    _write(target, kept, [results[name] for name in columns], results[REASON])
 
 
 def _complete(block: list[list[str]], header: list[str], reasons: list[str]) -> None:

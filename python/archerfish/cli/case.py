@@ -136,7 +136,7 @@ def answer(question: Any, values: Values) -> dict[str, list[Any]]:
         name: column if isinstance(column, list) else np.asarray(column).tolist()
         for name, column in found.items()
     }
-    ordered = {name: answers[name] for name in question.columns}
+    ordered = {name: answers[name] for name in question.answered(values)}
     return asked | ordered | {"reason": answers.get("reason", [""])}
 
 

@@ -29,11 +29,12 @@ class Parameter:
     column: str
     help: str
     default: float | None = None
+    given_by: str = ""
 
     @property
     def flag(self) -> str:
         """The flag of a single case."""
-        return "--" + self.name.replace("_", "-")
+        return self.given_by or "--" + self.name.replace("_", "-")
 
 
 SPEED = Parameter("speed", "speed_m_per_s", "Launch speed V₀, m/s, above 0.")
@@ -57,6 +58,11 @@ WIND = (
 )
 X = Parameter("x", "x_m", "Horizontal coordinate x, m.")
 Y = Parameter("y", "y_m", "Height y, m.")
+OBSTACLE = (
+    Parameter("obstacle_x", "obstacle_x_m", "x of a point to pass over, m.", None, "--obstacle"),
+    Parameter("obstacle_y", "obstacle_y_m", "Height y of that point, m.", None, "--obstacle"),
+)
+CEILING = Parameter("ceiling", "ceiling_m", "A height to stay under, m.")
 Z = Parameter("z", "z_m", "Coordinate z, to the right, m: aims in space.")
 
 

@@ -97,6 +97,73 @@ def test_aim_angles_and_envelope(output):
     assert places[0]["status"] == "reachable"
 
 
+OBSTACLES = """\
+x_m,y_m,obstacle_x_m,obstacle_y_m,ceiling_m
+6,2,3,2.5,4
+6,2,7,1,2
+9,3,3,2.5,4
+6,2,inf,1,2
+"""
+
+
+def test_aim_clears_the_obstacle_and_the_ceiling_of_each_row(command, output):
+    flags = ("aim", "--batch", "-", "--speed", "10", "--epsilon", "0.1")
+    done = command(*flags, input=OBSTACLES)
+    assert done.returncode == 0
+    found = rows(done.stdout)
+    arcs = Launcher(10, epsilon=0.1).aim(6, 2)
+    for side in ("low", "high"):
+        arc = getattr(arcs, side)
+        over, under = f"{side}_over_obstacle_m", f"{side}_under_ceiling_m"
+        assert float(found[0][over]) == arc.clearance_over(3, 2.5)
+        assert float(found[0][under]) == arc.clearance_under(4)
+        assert found[1][over] == "nan"  # behind the target
+        assert float(found[1][under]) == arc.clearance_under(2)
+        assert (found[2][over], found[2][under]) == ("nan", "nan")  # out of reach
+    assert found[3]["reason"] == "obstacle x must be finite, got inf"
+    # As flags they hold for every row; without them there are no such columns.
+    held = output(*flags, "--obstacle", "3", "2.5", "--ceiling", "4", input="x_m,y_m\n6,2\n")
+    assert {name: held for name, held in found[0].items() if "obstacle_" not in name[:9]} == {
+        **rows(held)[0],
+        "ceiling_m": "4",
+    }
+    assert "obstacle" not in output(*flags, input="x_m,y_m\n6,2\n")
+    single = flags[:1] + flags[3:] + ("--x", "6", "--y", "2", "--format", "csv")
+    alone = rows(output(*single, "--obstacle", "3", "2.5", "--ceiling", "4"))[0]
+    assert alone["high_over_obstacle_m"] == found[0]["high_over_obstacle_m"]
+    assert alone["obstacle_y_m"] == "2.5"
+
+
+@pytest.mark.parametrize(
+    ("text", "flags", "line"),
+    [
+        (
+            "x_m,y_m,obstacle_y_m\n",
+            (),
+            "give obstacle_x_m and obstacle_y_m together, got obstacle_y_m alone\n",
+        ),
+        (
+            "x_m,y_m,obstacle_x_m,obstacle_y_m\n",
+            ("--obstacle", "1", "2"),
+            "give column obstacle_x_m or --obstacle, got both\n",
+        ),
+        (
+            "x_m,y_m\n",
+            ("--obstacle", "1", "2", "--obstacle", "3", "2"),
+            "only a table has room for several --obstacle, got 2. See archerfish aim --help.\n",
+        ),
+        (
+            "x_m,y_m,ceiling_m,low_under_ceiling_m\n",
+            (),
+            "column low_under_ceiling_m is written by this command: rename it in the input\n",
+        ),
+    ],
+)
+def test_obstacles_that_ask_nothing_are_refused(command, text, flags, line):
+    done = command("aim", "--batch", "-", "--speed", "9", "--epsilon", "1", *flags, input=text)
+    assert (done.returncode, done.stderr) == (2, f"archerfish aim: {line}")
+
+
 def test_a_value_in_many_blocks_is_found_where_it_is(command):
     count = 2 * batch.BLOCK + 100
     lines = ["45"] * count

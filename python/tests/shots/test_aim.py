@@ -153,6 +153,33 @@ def test_clearance():
     assert rising.clearance_under(5.0) == 1.0
 
 
+def test_clearance_of_an_obstacle_for_each_target():
+    launcher = Launcher(12.0, drag_rate=[0.1, 0.2, 0.3])
+    x, y = np.array([3.0, 2.0, 4.0]), np.array([1.0, 2.0, 0.5])
+    ceiling = np.array([5.0, 4.0, 3.0])
+    arcs = launcher.aim([6.0, 7.0, 5.0], [1.0, 0.0, -1.0])
+    for side in ("low", "high"):
+        arc = getattr(arcs, side)
+        over, under = arc.clearance_over(x, y), arc.clearance_under(ceiling)
+        assert over.shape == under.shape == (3,)
+        for row in range(3):
+            alone = Launcher(12.0, drag_rate=float(launcher.drag_rate[row])).aim(
+                float(arcs.target.x[row]), float(arcs.target.y[row])
+            )
+            one = getattr(alone, side)
+            assert over[row] == one.clearance_over(x[row], y[row])
+            assert under[row] == one.clearance_under(ceiling[row])
+
+
+def test_a_headwind_that_brings_the_shot_back_over_the_obstacle():
+    launcher = Launcher(8.0, drag_rate=1.5)
+    high = launcher.aim(-0.5, -9.0, wind=(-3.0, 0.0)).high
+    forth, back = high.shot.time_at(0.1), high.shot.time_again_at(0.1)
+    assert forth < back < high.time
+    heights = [high.shot.position(time).y for time in (forth, back)]
+    assert high.clearance_over(0.1, 0.25) == pytest.approx(min(heights) - 0.25)
+
+
 def test_impact_is_the_landing_of_a_shot_at_that_height():
     arcs = Launcher(10.0, epsilon=0.2).aim(5.0, 1.0)
     landing = arcs.high.shot.landing

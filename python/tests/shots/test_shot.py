@@ -142,6 +142,24 @@ def test_a_headwind_brings_a_shot_back_over_its_launch_point():
     assert shot.velocity(back).x < 0
 
 
+def test_the_second_time_is_after_the_turn_and_at_the_same_place():
+    windy = Launcher(8.0, drag_rate=1.5).shot([1.2, 0.6], wind=(-6.0, 0.0), height=9.0)
+    x = np.array([[0.05], [0.2]])
+    first, again = windy.time_at(x), windy.time_again_at(x)
+    assert np.all(first < again)
+    for time, sign in ((first, 1), (again, -1)):
+        np.testing.assert_allclose(windy.position(time).x, np.broadcast_to(x, (2, 2)), rtol=1e-12)
+        assert np.all(sign * windy.velocity(time).x > 0)
+    # Beyond the turn never; behind the launch point once, at the launch point a second time.
+    assert np.isnan([windy.time_again_at(9.0), windy.time_again_at(-1.0)]).all()
+    np.testing.assert_allclose(windy.position(windy.time_again_at(0.0)).x, 0.0, atol=1e-12)
+    assert np.all(windy.time_again_at(0.0) > 0)
+    for shot in (Launcher(8.0, drag_rate=1.5).shot(1.2), windy):
+        assert np.isnan(shot.time_again_at(np.nan)).all()
+    assert np.isnan(Launcher(8.0, drag_rate=1.5).shot(1.2).time_again_at(0.1))
+    assert np.isnan(Launcher(8.0, drag_rate=1.5).shot(1.2, wind=(6.0, 0.0)).time_again_at(0.1))
+
+
 def test_energy_is_lost_to_drag_alone():
     times = np.linspace(0.0, 1.2, 7)
     kept = Launcher(10.0, epsilon=0.0).shot(0.9, height=2.0).energy(times)
