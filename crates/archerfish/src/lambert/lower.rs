@@ -14,6 +14,9 @@ const LOWER_START_TOP: [f64; 5] =
 const LOWER_START_BOTTOM: [f64; 5] =
     [1.0, 1.199183553, 0.1995972682, 0.0004137939309, 7.849663027e-08];
 
+/// z is as small as 2⁻¹⁰⁷⁴ where e^{−w} is as great as 2¹⁰⁷⁵.
+const LIFT: f64 = 64.0;
+
 /// W₋₁ to few digits, for z in [−0.3606, −5e-324].
 #[inline(always)]
 fn start(z: f64) -> f64 {
@@ -33,7 +36,7 @@ fn start(z: f64) -> f64 {
 pub fn lambertwm1(z: f64) -> f64 {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
     let w = start(z);
-    let far = w + correction(DoubleDouble::from(z), w);
+    let far = w + correction(DoubleDouble::from(z), w, LIFT);
     let regular = select(offset < CLOSE, lower_close(offset), far);
     let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
     select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
@@ -46,7 +49,7 @@ pub fn lambertwm1(z: f64) -> f64 {
 pub fn lambertwm1_offset(d: f64) -> f64 {
     let near = lower_near(DoubleDouble::from(d));
     let z = at_offset(d);
-    let far = one_plus_corrected(z, start(z.hi));
+    let far = one_plus_corrected(z, start(z.hi), LIFT);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
     select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)

@@ -49,7 +49,7 @@ fn start(z: f64) -> f64 {
 pub fn lambertw0(z: f64) -> f64 {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
     let w = start(z);
-    let far = w + correction(DoubleDouble::from(z), w);
+    let far = w + correction(DoubleDouble::from(z), w, 0.0);
     let regular = select(offset < CLOSE, principal_close(offset), far);
     let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
     select(z >= -INVERSE_E.hi, regular, f64::NAN)
@@ -62,7 +62,7 @@ pub fn lambertw0(z: f64) -> f64 {
 pub fn lambertw0_offset(d: f64) -> f64 {
     let near = principal_near(DoubleDouble::from(d));
     let z = at_offset(d);
-    let far = one_plus_corrected(z, start(z.hi));
+    let far = one_plus_corrected(z, start(z.hi), 0.0);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == f64::INFINITY, d, regular);
     select(d >= 0.0, regular, f64::NAN)

@@ -2,12 +2,12 @@
 //!
 //! Method: with `r = z e^{−w} − w`, the sought w + Δ has `(w + Δ) e^Δ = w + r`, that is
 //! `r = (1+w)Δ + (1 + w/2)Δ² + (1/2 + w/6)Δ³ + …`, whose reversion to the third order leaves an
-//! error of the fourth. r is the difference of nearly equal numbers and is formed in sums of two
-//! doubles; everything after it is small and needs few digits.
+//! error of the fourth. r is the difference of nearly equal numbers, the greater of which is a
+//! sum of two doubles; everything after it is small and needs few digits.
 
 use super::super::real::double_double::{DoubleDouble, two_sum};
 use super::super::real::{
-    Exponential, exponent_and_significand, nearest_integer, polynomial, power_of_two, select,
+    Exponential, exponent_and_significand, polynomial, power_of_two, select,
 };
 
 // rough_log: minimax on [-0.293, 0.4143], degree 7,
@@ -23,17 +23,16 @@ const ROUGH_LOG: [f64; 8] = [
     -0.10380861720687219,
 ];
 
-/// Δ, so that w + Δ is Lambert W of z.
+/// Δ, so that w + Δ is Lambert W of z; w is within a twentieth of that.
+///
+/// e^{−w} may overflow where z is tiny: z is multiplied by 2^lift and the power by 2^−lift.
 #[inline(always)]
-pub(super) fn correction(z: DoubleDouble, w: f64) -> f64 {
+pub(super) fn correction(z: DoubleDouble, w: f64, lift: f64) -> f64 {
     let exponential = Exponential::of(-w);
-    // in two steps: z is as small as 2⁻¹⁰⁷⁴ where n is as great as 1075
-    let half = nearest_integer(0.5 * exponential.n);
-    let scaled = z.scale(power_of_two(half)).scale(power_of_two(exponential.n - half));
-    let product = scaled.mul(exponential.m);
-    let first = two_sum(scaled.hi, -w);
-    let second = two_sum(first.hi, product.hi);
-    let r = second.hi + (second.lo + (first.lo + product.lo + scaled.lo));
+    let scaled = z.scale(power_of_two(lift)).scale(power_of_two(exponential.n - lift));
+    let product = scaled.times(exponential.loose_significand());
+    // exact: they are nearly equal
+    let r = (product.hi - w) + product.lo;
 
     let inverse = 1.0 / (1.0 + w);
     let t = r * inverse;
@@ -44,9 +43,9 @@ pub(super) fn correction(z: DoubleDouble, w: f64) -> f64 {
 
 /// 1 + Lambert W of z, w being near W.
 #[inline(always)]
-pub(super) fn one_plus_corrected(z: DoubleDouble, w: f64) -> f64 {
+pub(super) fn one_plus_corrected(z: DoubleDouble, w: f64, lift: f64) -> f64 {
     let sum = two_sum(1.0, w);
-    sum.hi + (sum.lo + correction(z, w))
+    sum.hi + (sum.lo + correction(z, w, lift))
 }
 
 /// `ln w` of a positive normal number, to 2⁻²² of itself.

@@ -1,7 +1,7 @@
 //! One launch: the direction, and the drag it meets.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
-use super::super::real::{select, sin_cos_extended};
+use super::super::real::{select, sin_cos_upper};
 use super::drag::Drag;
 
 /// A launch at angle α with drag parameter ε.
@@ -23,20 +23,20 @@ impl Launch {
     /// At the angle α in [0, π].
     #[inline(always)]
     pub fn at(alpha: f64, epsilon: f64) -> Self {
-        let (sin, cos) = sin_cos_extended(alpha);
+        let (sin, cos) = sin_cos_upper(alpha);
         Launch::new(sin, cos, epsilon)
     }
 
     /// `q = 1 + u`
     #[inline(always)]
     pub fn q(&self) -> DoubleDouble {
-        self.u.add_double(1.0)
+        self.u.add_positive(1.0)
     }
 
     /// `2 + u`
     #[inline(always)]
     pub fn q_plus_one(&self) -> DoubleDouble {
-        self.u.add_double(2.0)
+        self.u.add_positive(2.0)
     }
 
     /// `a`, all that drag's special function contributes to an apex.

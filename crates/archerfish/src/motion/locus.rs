@@ -10,7 +10,7 @@
 //! β leaves an error far below the last digit, and θ + β is rounded once.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::super::real::{polynomial, select, sin_cos_extended, sin_cos_reduced, sqrt};
+use super::super::real::{polynomial, select, sin_cos_upper, sin_cos_reduced, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 
@@ -62,14 +62,14 @@ impl Elevated {
     /// Solves equation (10) for the launch, given the elevation θ of its apex in [0, π].
     #[inline(always)]
     pub fn new(theta: f64, epsilon: f64) -> Self {
-        let (sin_theta, cos_theta) = sin_cos_extended(theta);
+        let (sin_theta, cos_theta) = sin_cos_upper(theta);
         let mirrored = cos_theta.hi < 0.0;
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
 
         let beta = rough_beta(sin_theta.hi, cos_theta.hi, epsilon);
         let (sin_beta, cos_beta) = sin_cos_reduced(DoubleDouble::from(beta));
-        let sin = sin_theta.times(cos_beta).add(cos_theta.times(sin_beta));
-        let cos = cos_theta.times(cos_beta).sub(sin_theta.times(sin_beta));
+        let sin = sin_theta.times(cos_beta).add_smaller(cos_theta.times(sin_beta));
+        let cos = cos_theta.times(cos_beta).sub_smaller(sin_theta.times(sin_beta));
         let launch = Launch::new(sin, cos, epsilon);
         let step = step(&launch, cos_theta, sin_beta, cos_beta.hi);
 
@@ -107,7 +107,7 @@ impl Elevated {
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
     #[inline(always)]
     fn radius(&self) -> f64 {
-        let q = self.sin.times_double(self.epsilon).add_double(1.0);
+        let q = self.sin.times_double(self.epsilon).add_positive(1.0);
         self.sin.times(self.cos).quotient(q.mul(self.cos_theta))
     }
 }

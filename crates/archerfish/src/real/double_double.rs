@@ -51,6 +51,12 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
+/// `a + b` exactly, where neither is negative.
+#[inline(always)]
+pub(crate) fn two_sum_positive(a: f64, b: f64) -> DoubleDouble {
+    fast_two_sum(super::select(a > b, a, b), super::select(a > b, b, a))
+}
+
 /// `a * b` exactly.
 #[inline(always)]
 pub(crate) fn two_product(a: f64, b: f64) -> DoubleDouble {
@@ -101,6 +107,27 @@ impl DoubleDouble {
     pub fn add_double(self, b: f64) -> Self {
         let sum = two_sum(self.hi, b);
         fast_two_sum(sum.hi, sum.lo + self.lo)
+    }
+
+    /// `self + b`, where self is zero or its exponent is at least that of b; left as it falls: where
+    /// much cancels, lo may be as large as hi.
+    #[inline(always)]
+    pub fn add_smaller(self, b: Self) -> Self {
+        let sum = fast_two_sum(self.hi, b.hi);
+        DoubleDouble { hi: sum.hi, lo: sum.lo + (self.lo + b.lo) }
+    }
+
+    /// `self - b`, as `add_smaller`.
+    #[inline(always)]
+    pub fn sub_smaller(self, b: Self) -> Self {
+        self.add_smaller(b.neg())
+    }
+
+    /// `self + b` where neither is negative; left as it falls, the words nearly apart.
+    #[inline(always)]
+    pub fn add_positive(self, b: f64) -> Self {
+        let sum = two_sum_positive(self.hi, b);
+        DoubleDouble { hi: sum.hi, lo: sum.lo + self.lo }
     }
 
     /// `-self`.

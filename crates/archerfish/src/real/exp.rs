@@ -21,10 +21,12 @@ const EXP_TAIL: [f64; 10] = [
     2.0925553806370703e-09,
 ];
 
-/// `eˣ = 2ⁿ (1 + m)`, n an integer, |m| < 0.42, m to 2⁻⁵⁸ of itself.
+/// `eˣ = 2ⁿ (1 + r + half_square + rest)`, n an integer, |r| < 0.35, the sum to 2⁻⁵⁹ of itself.
 pub(crate) struct Exponential {
     pub n: f64,
-    pub m: DoubleDouble,
+    r: f64,
+    half_square: f64,
+    rest: f64,
 }
 
 impl Exponential {
@@ -36,16 +38,30 @@ impl Exponential {
         let square = two_square(r.hi);
         let tail = r.hi * square.hi * polynomial(r.hi, &EXP_TAIL);
         // r.lo enters with its derivative 1 + r + …
-        let m = fast_two_sum(r.hi, 0.5 * square.hi);
-        let small = 0.5 * square.lo + (tail + r.lo * (1.0 + r.hi));
-        Exponential { n, m: fast_two_sum(m.hi, m.lo + small) }
+        let rest = 0.5 * square.lo + (tail + r.lo * (1.0 + r.hi));
+        Exponential { n, r: r.hi, half_square: 0.5 * square.hi, rest }
     }
 
-    /// `1 + m`.
+    /// `eˣ/2ⁿ − 1`
+    #[inline(always)]
+    fn excess(&self) -> DoubleDouble {
+        let sum = fast_two_sum(self.r, self.half_square);
+        fast_two_sum(sum.hi, sum.lo + self.rest)
+    }
+
+    /// `eˣ/2ⁿ`, as it falls: hi alone is good to 2⁻⁶ only.
+    #[inline(always)]
+    pub fn loose_significand(&self) -> DoubleDouble {
+        let linear = fast_two_sum(1.0, self.r);
+        let sum = fast_two_sum(linear.hi, self.half_square);
+        DoubleDouble { hi: sum.hi, lo: linear.lo + (sum.lo + self.rest) }
+    }
+
+    /// `eˣ/2ⁿ`
     #[inline(always)]
     pub fn significand(&self) -> DoubleDouble {
-        let sum = fast_two_sum(1.0, self.m.hi);
-        fast_two_sum(sum.hi, sum.lo + self.m.lo)
+        let sum = self.loose_significand();
+        fast_two_sum(sum.hi, sum.lo)
     }
 }
 
@@ -62,7 +78,7 @@ pub fn exp(x: f64) -> f64 {
     let exponential = Exponential::of(clamp(x));
     let half = nearest_integer(0.5 * exponential.n);
     // in two steps: neither overflows before the result does, and a subnormal is rounded once
-    exponential.significand().round() * power_of_two(half) * power_of_two(exponential.n - half)
+    exponential.loose_significand().round() * power_of_two(half) * power_of_two(exponential.n - half)
 }
 
 /// `eˣ − 1`.
@@ -73,7 +89,7 @@ pub fn exp_m1(x: f64) -> f64 {
     // half of the power, so that x between 709.4 and 709.78 does not overflow on the way
     let half_power = power_of_two(exponential.n - 1.0);
     let whole = two_sum(half_power, -0.5);
-    let scaled = exponential.m.scale(half_power);
+    let scaled = exponential.excess().scale(half_power);
     let sum = two_sum(whole.hi, scaled.hi);
     let regular = 2.0 * (sum.hi + (sum.lo + (whole.lo + scaled.lo)));
     select(x.abs() < 1e-300, x, regular)

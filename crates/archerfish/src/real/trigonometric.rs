@@ -66,6 +66,22 @@ pub(crate) fn sin_cos_extended(x: f64) -> (DoubleDouble, DoubleDouble) {
     )
 }
 
+/// `sin x` and `cos x` for x in [0, π], as `sin_cos_extended`.
+///
+/// The differences to π/2 and π are exact, and the left of the half-turn is the mirror image.
+#[inline(always)]
+pub(crate) fn sin_cos_upper(x: f64) -> (DoubleDouble, DoubleDouble) {
+    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
+    let (upright, left) = (x > FRAC_PI_4, x > 3.0 * FRAC_PI_4);
+    let rest = select(left, 2.0 * FRAC_PI_2_LO, select(upright, -FRAC_PI_2_LO, 0.0));
+    let r = select(left, PI - x, x - select(upright, FRAC_PI_2, 0.0));
+    let (sin, cos) = sin_cos_reduced(fast_two_sum(r, rest));
+    let turned = upright & !left;
+    let across = DoubleDouble::select(turned, sin, cos);
+    (DoubleDouble::select(turned, cos, sin), DoubleDouble::select(upright, across.neg(), across))
+}
+
 /// Whether the functions of this file take `x`: |x| ≤ 2π.
 #[inline(always)]
 fn in_domain(x: f64) -> bool {
