@@ -1,40 +1,111 @@
 /** Trajectories and their envelope, for drawing. Lengths in ρ, times in V₀/g. */
 
 import { columnOf, linspace, type Column, type Kernels } from "./kernels.ts";
+import { POINTS } from "./curves.ts";
 import { radians } from "./numbers.ts";
 
-/** Points of a shot before its apex, and as many after: a fan's thin lines, the current one. */
-export const FAN_HALF = 32;
-export const SHOT_HALF = 200;
 /** Launch angles of the fan, degrees: those of Figure 1. */
 export const FAN_ANGLES: readonly number[] = Array.from({ length: 18 }, (_, index) => 5 * (index + 1));
+/** Instants that the fan's shots have in common, from launch to the landing of the steepest. */
+export const FAN_INSTANTS = 1000;
 
-/** Whole flights of some shots, one after the other in `x` and `y`, `samples` points each. */
-export class Flights {
-  readonly samples: number;
-  readonly shots: number;
+/** As many times up to the apex as from there to the landing, denser next to it, where strong drag turns a shot. */
+function spread(times: Float64Array, apex: number, landing: number): void {
+  const half = times.length / 2;
+  for (let index = 0; index < half; index += 1) {
+    times[index] = (apex * index) / half;
+    const part = index / (half - 1);
+    times[half + index] = apex + (landing - apex) * part * part;
+  }
+}
+
+/**
+ * Flights at many launch angles, from two calls of a kernel for all of them.
+ *
+ * At a time t all shots are on one circle, whose radius X and height Y the level shot shows: the
+ * shot at α is at (X cos α, X sin α + Y). So the fan shares its instants.
+ */
+export class Fan {
+  readonly shots = FAN_ANGLES.length;
+  /** Room for each shot in `x` and `y`, and how many points it has: those up to its landing. */
+  readonly stride = FAN_INSTANTS + 1;
+  readonly counts = new Uint16Array(FAN_ANGLES.length);
+  readonly x = new Float64Array(FAN_ANGLES.length * (FAN_INSTANTS + 1));
+  readonly y = new Float64Array(FAN_ANGLES.length * (FAN_INSTANTS + 1));
   readonly #kernels: Kernels;
+  readonly #cosines = FAN_ANGLES.map((angle) => Math.cos(radians(angle)));
+  readonly #sines = FAN_ANGLES.map((angle) => Math.sin(radians(angle)));
   readonly #angles: Column;
   readonly #epsilons: Column;
+  readonly #landings: Column;
+  readonly #ranges: Column;
   readonly #apexTimes: Column;
-  readonly #flightTimes: Column;
+  readonly #time: Column;
+  readonly #level: Column;
+  readonly #epsilon: Column;
+  readonly #radius: Column;
+  readonly #height: Column;
+  #key = NaN;
+
+  constructor(kernels: Kernels) {
+    const each = () => kernels.column(FAN_ANGLES.length);
+    const all = () => kernels.column(FAN_INSTANTS);
+    this.#kernels = kernels;
+    this.#angles = columnOf(kernels, FAN_ANGLES.map(radians));
+    [this.#epsilons, this.#landings, this.#ranges, this.#apexTimes] = [each(), each(), each(), each()];
+    [this.#time, this.#level, this.#epsilon, this.#radius, this.#height] = [all(), all(), all(), all(), all()];
+  }
+
+  update(epsilon: number): this {
+    if (epsilon === this.#key) return this;
+    this.#key = epsilon;
+    const { functions } = this.#kernels;
+    this.#epsilons.values.fill(epsilon);
+    functions.apex_time(this.#angles, this.#epsilons, this.#apexTimes);
+    functions.flight_time(this.#angles, this.#epsilons, this.#landings);
+    functions.flight_range(this.#angles, this.#epsilons, this.#ranges);
+    const steepest = this.shots - 1;
+    spread(this.#time.values, this.#apexTimes.values[steepest], this.#landings.values[steepest]);
+    this.#epsilon.values.fill(epsilon);
+    functions.flight_x(this.#time, this.#level, this.#epsilon, this.#radius);
+    functions.flight_y(this.#time, this.#level, this.#epsilon, this.#height);
+    for (let shot = 0; shot < this.shots; shot += 1) this.#place(shot);
+    return this;
+  }
+
+  #place(shot: number): void {
+    const { x, y } = this;
+    const [cosine, sine, landing] = [this.#cosines[shot], this.#sines[shot], this.#landings.values[shot]];
+    const [time, radius, height] = [this.#time.values, this.#radius.values, this.#height.values];
+    const start = shot * this.stride;
+    let index = 0;
+    for (; index < FAN_INSTANTS && time[index] < landing; index += 1) {
+      x[start + index] = cosine * radius[index];
+      y[start + index] = sine * radius[index] + height[index];
+    }
+    x[start + index] = this.#ranges.values[shot];
+    y[start + index] = 0;
+    this.counts[shot] = index + 1;
+  }
+}
+
+/** The whole flight of one shot. */
+export class Flight {
+  readonly #kernels: Kernels;
   readonly #time: Column;
   readonly #angle: Column;
   readonly #epsilon: Column;
   readonly #x: Column;
   readonly #y: Column;
-  readonly #half: number;
-  #key = "";
+  /** How often it was computed. */
+  version = 0;
+  #launchAngle = NaN;
+  #drag = NaN;
 
-  constructor(kernels: Kernels, shots: number, half: number) {
-    const each = () => kernels.column(shots);
+  constructor(kernels: Kernels) {
+    const room = () => kernels.column(POINTS);
     this.#kernels = kernels;
-    this.#half = half;
-    this.shots = shots;
-    this.samples = 2 * half;
-    const all = () => kernels.column(shots * this.samples);
-    [this.#angles, this.#epsilons, this.#apexTimes, this.#flightTimes] = [each(), each(), each(), each()];
-    [this.#time, this.#angle, this.#epsilon, this.#x, this.#y] = [all(), all(), all(), all(), all()];
+    [this.#time, this.#angle, this.#epsilon, this.#x, this.#y] = [room(), room(), room(), room(), room()];
   }
 
   get x(): Float64Array {
@@ -44,38 +115,17 @@ export class Flights {
     return this.#y.values;
   }
 
-  /** Computes the flights at these launch angles, in radians. */
-  update(launchAngles: readonly number[], epsilon: number): this {
-    const key = `${epsilon} ${launchAngles.join(" ")}`;
-    if (key === this.#key) return this;
-    this.#key = key;
+  update(launchAngle: number, epsilon: number, apexTime: number, flightTime: number): this {
+    if (launchAngle === this.#launchAngle && epsilon === this.#drag) return this;
+    if (launchAngle !== this.#launchAngle) this.#angle.values.fill(launchAngle);
+    if (epsilon !== this.#drag) this.#epsilon.values.fill(epsilon);
+    [this.#launchAngle, this.#drag] = [launchAngle, epsilon];
+    this.version += 1;
     const { functions } = this.#kernels;
-    this.#angles.values.set(launchAngles);
-    this.#epsilons.values.fill(epsilon);
-    functions.apex_time(this.#angles, this.#epsilons, this.#apexTimes);
-    functions.flight_time(this.#angles, this.#epsilons, this.#flightTimes);
-    this.#spread();
-    this.#epsilon.values.fill(epsilon);
+    spread(this.#time.values, apexTime, flightTime);
     functions.flight_x(this.#time, this.#angle, this.#epsilon, this.#x);
     functions.flight_y(this.#time, this.#angle, this.#epsilon, this.#y);
     return this;
-  }
-
-  /** As many times before the apex as after it, denser next to it, where strong drag turns a shot. */
-  #spread(): void {
-    const time = this.#time.values;
-    const angle = this.#angle.values;
-    for (let shot = 0; shot < this.shots; shot += 1) {
-      const apex = this.#apexTimes.values[shot];
-      const landing = this.#flightTimes.values[shot];
-      const start = shot * this.samples;
-      angle.fill(this.#angles.values[shot], start, start + this.samples);
-      for (let index = 0; index < this.#half; index += 1) {
-        time[start + index] = (apex * index) / this.#half;
-        const part = index / (this.#half - 1);
-        time[start + this.#half + index] = apex + (landing - apex) * part * part;
-      }
-    }
   }
 }
 
@@ -116,5 +166,3 @@ export class Envelope {
     return this;
   }
 }
-
-export const fanAngles = (): number[] => FAN_ANGLES.map(radians);

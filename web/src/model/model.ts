@@ -2,16 +2,13 @@
 
 import { type Apex, type Point, Shots } from "./apex.ts";
 import { AngleGrid, LocusCurves, POINTS } from "./curves.ts";
-import { Envelope, fanAngles, FAN_ANGLES, FAN_HALF, Flights, SHOT_HALF } from "./flights.ts";
-import { linspace, type Kernels } from "./kernels.ts";
+import { Envelope, Fan, Flight } from "./flights.ts";
+import { type Kernels } from "./kernels.ts";
 import { NamedAngleSolver, type NamedAngles } from "./named.ts";
+import { NamedCurves } from "./named_curves.ts";
 import { radians } from "./numbers.ts";
 import { PrincipalBranch } from "./principal.ts";
 import { MOST_COMPARED, scales, type Layer, type Scales, type State } from "./state.ts";
-
-/** Powers of ten between which the named angles are drawn, and how finely. */
-export const NAMED_DECADES = [-3, 3] as const;
-const NAMED_POINTS = 121;
 
 /** What a frame is drawn from. Lengths in ρ, times in V₀/g, angles in radians. */
 export interface Scene {
@@ -41,25 +38,24 @@ export class Model {
   readonly #locus: LocusCurves;
   readonly #dragFree: LocusCurves;
   readonly #compared: readonly LocusCurves[];
-  readonly #fan: Flights;
-  readonly #shot: Flights;
+  readonly namedCurves: NamedCurves;
+  readonly #fan: Fan;
+  readonly #shot: Flight;
   readonly #envelope: Envelope;
   readonly #principal: PrincipalBranch;
   readonly #namedHere: NamedAngleSolver;
-  readonly #kernels: Kernels;
   #named: { epsilon: number; angles: NamedAngles } | undefined;
-  #namedCurves: { decades: Float64Array; angles: NamedAngles } | undefined;
   #atEpsilon: { epsilon: number; reach: number; top: number } = { epsilon: NaN, reach: 0, top: 0 };
 
   constructor(kernels: Kernels) {
-    this.#kernels = kernels;
     this.grid = new AngleGrid(kernels);
     this.shots = new Shots(kernels);
     this.#locus = new LocusCurves(kernels, this.grid);
     this.#dragFree = new LocusCurves(kernels, this.grid).update(0);
     this.#compared = Array.from({ length: MOST_COMPARED }, () => new LocusCurves(kernels, this.grid));
-    this.#fan = new Flights(kernels, FAN_ANGLES.length, FAN_HALF);
-    this.#shot = new Flights(kernels, 1, SHOT_HALF);
+    this.namedCurves = new NamedCurves(kernels);
+    this.#fan = new Fan(kernels);
+    this.#shot = new Flight(kernels);
     this.#envelope = new Envelope(kernels, POINTS);
     this.#principal = new PrincipalBranch(kernels, POINTS);
     this.#namedHere = new NamedAngleSolver(kernels, 1);
@@ -106,12 +102,12 @@ export class Model {
     if (shows(state, "points")) this.named(epsilon);
   }
 
-  fan(epsilon: number): Flights {
-    return this.#fan.update(fanAngles(), epsilon);
+  fan(epsilon: number): Fan {
+    return this.#fan.update(epsilon);
   }
 
-  shot({ apex, scales: { epsilon } }: Scene): Flights {
-    return this.#shot.update([apex.launchAngle], epsilon);
+  shot({ apex, flightTime, scales: { epsilon } }: Scene): Flight {
+    return this.#shot.update(apex.launchAngle, epsilon, apex.time, flightTime);
   }
 
   envelope({ reach, scales: { epsilon } }: Scene): Envelope {
@@ -129,16 +125,6 @@ export class Model {
       this.#named = { epsilon, angles: this.#namedHere.solve([epsilon]) };
     }
     return this.#named.angles;
-  }
-
-  /** The named angles over the decades of ε. */
-  namedCurves(): { decades: Float64Array; angles: NamedAngles } {
-    if (!this.#namedCurves) {
-      const decades = linspace(...NAMED_DECADES, NAMED_POINTS);
-      const angles = new NamedAngleSolver(this.#kernels, NAMED_POINTS).solve(decades.map((d) => 10 ** d));
-      this.#namedCurves = { decades, angles };
-    }
-    return this.#namedCurves;
   }
 }
 

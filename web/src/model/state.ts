@@ -15,6 +15,8 @@ export type Layer = keyof typeof LAYERS;
 
 export type CurvatureBy = "launch_angle" | "elevation";
 export type Frame = "fixed" | "fit";
+/** Shots to the right only, or to both sides: those to the left are mirror images. */
+export type Sides = "right" | "both";
 export type Theme = "auto" | "light" | "dark";
 
 export interface State {
@@ -25,7 +27,7 @@ export interface State {
   /** The drag is kept as it was said; the other two ways to say it follow. */
   readonly dragKind: DragKind;
   readonly drag: number;
-  /** Launch angle of the current shot, degrees, 0 to 90. */
+  /** Launch angle of the current shot, degrees: 0 to 180, above 90 only where both sides are shown. */
   readonly angle: number;
   /** Time since launch, s. */
   readonly time: number;
@@ -34,6 +36,7 @@ export interface State {
   readonly layers: readonly Layer[];
   readonly curvatureBy: CurvatureBy;
   readonly frame: Frame;
+  readonly sides: Sides;
   readonly theme: Theme;
 }
 
@@ -51,6 +54,7 @@ export const INITIAL: State = {
   layers: ["fan", "drag_free"],
   curvatureBy: "launch_angle",
   frame: "fixed",
+  sides: "right",
   theme: "auto",
 };
 
@@ -105,13 +109,21 @@ export function complaint(state: State): string | undefined {
     notNegative(`epsilon, from this ${dragKind.replace("_", " ")},`, epsilon) ??
     positive("length scale speed²/gravity", length) ??
     positive("time scale speed/gravity", timeScale) ??
-    (angle >= 0 && angle <= 90 ? undefined : `angle must be from 0 to 90 degrees, got ${angle}`) ??
+    (angle >= 0 && angle <= 180 ? undefined : `angle must be from 0 to 180 degrees, got ${angle}`) ??
     notNegative("time", time) ??
     compare.map((other) => notNegative("compared epsilon", other)).find(Boolean) ??
     (compare.length > MOST_COMPARED
       ? `at most ${MOST_COMPARED} other epsilons can be compared, got ${compare.length}`
       : undefined)
   );
+}
+
+/** Shots to the left show both sides; where only the right one is wanted, they turn to it. */
+function onItsSide(state: State, part: Partial<State>): State {
+  if (state.angle <= 90 || state.sides === "both") return state;
+  return part.sides === "right" && part.angle === undefined
+    ? { ...state, angle: 180 - state.angle }
+    : { ...state, sides: "both" };
 }
 
 export type Listener = (state: State, before: State) => void;
@@ -136,7 +148,7 @@ export class Store {
   /** The sentence that says why the change was refused, or nothing. */
   change(part: Partial<State>): string | undefined {
     const before = this.#state;
-    const after = { ...before, ...part };
+    const after = onItsSide({ ...before, ...part }, part);
     const refused = complaint(after);
     if (refused) return refused;
     this.#state = after;

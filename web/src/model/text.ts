@@ -36,6 +36,7 @@ export function toPython({ state }: Scene): string {
 export function toWords(scene: Scene): string {
   const { state, scales, apex, flightTime, reach } = scene;
   const metres = (value: number) => `${short(value * scales.length, 4)} m`;
+  const away = `${metres(Math.abs(apex.x))} ${apex.x < 0 ? "to the left" : "away"}`;
   const drag =
     scales.epsilon === 0
       ? "without drag"
@@ -45,7 +46,7 @@ export function toWords(scene: Scene): string {
     : "";
   return (
     `Launched at ${short(state.speed, 4)} m/s and ${short(state.angle, 5)}°, gravity ${short(state.gravity, 4)} m/s², ${drag}: ` +
-    `the apex stands ${metres(apex.x)} away and ${metres(apex.y)} high, at an elevation of ` +
+    `the apex stands ${away} and ${metres(apex.y)} high, at an elevation of ` +
     `${short(degrees(apex.elevation), 5)}°, and is reached after ${short(apex.time * scales.time, 4)} s. ` +
     `The shot lands after ${short(flightTime * scales.time, 4)} s; the longest shot of this speed flies ${metres(reach)}. ` +
     `There the locus bends with ρK = ${short(apex.curvature, 4)}.${compared}`

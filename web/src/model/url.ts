@@ -7,6 +7,7 @@ const DRAG_KINDS = ["epsilon", "drag_rate", "terminal_speed"] as const;
 const CHOICES = {
   curvature_by: ["launch_angle", "elevation"],
   frame: ["fixed", "fit"],
+  sides: ["right", "both"],
   theme: ["auto", "light", "dark"],
 } as const;
 
@@ -22,6 +23,7 @@ export function toHash(state: State): string {
     ["layers", state.layers.join(",")],
     ["curvature_by", state.curvatureBy],
     ["frame", state.frame],
+    ["sides", state.sides],
     ["theme", state.theme],
   ];
   return entries.map(([name, value]) => `${name}=${value}`).join("&");
@@ -68,7 +70,7 @@ export function fromHash(hash: string): Read {
       const wrong = names.find((layer) => !(layer in LAYERS));
       if (wrong === undefined) take({ layers: [...new Set(names)] as Layer[] });
       else messages.push(`layers must be among ${Object.keys(LAYERS).join(", ")}, got ${shown(wrong)}`);
-    } else if (name === "curvature_by" || name === "frame" || name === "theme") {
+    } else if (name === "curvature_by" || name === "frame" || name === "sides" || name === "theme") {
       const key = name === "curvature_by" ? "curvatureBy" : name;
       if (isOneOf(text, CHOICES[name])) take({ [key]: text });
       else messages.push(`${name} must be one of ${CHOICES[name].join(", ")}, got ${shown(text)}`);
@@ -77,7 +79,8 @@ export function fromHash(hash: string): Read {
     }
   }
   if (drags.length > 1) messages.push(`give one of ${DRAG_KINDS.join(", ")}; got ${drags.join(" and ")}`);
-  return { state, messages };
+  // A shot to the left shows both sides, whatever else the address says.
+  return { state: state.angle > 90 ? { ...state, sides: "both" } : state, messages };
 }
 
 function isOneOf<Text extends string>(text: string, choices: readonly Text[]): text is Text {

@@ -1,4 +1,4 @@
-/** A chart: axes as SVG, curves on a canvas above them, handles on top. */
+/** A chart: axes and curves that stand still as SVG, curves that move on a canvas above, handles on top. */
 
 import { axisBottom, axisLeft, type Axis as D3Axis } from "d3-axis";
 import { scaleLinear } from "d3-scale";
@@ -14,7 +14,7 @@ export interface Extent {
 
 export interface Axis {
   readonly label: string;
-  readonly ticks?: readonly number[];
+  readonly ticks?: (extent: readonly [number, number]) => readonly number[];
   readonly format?: (value: number) => string;
 }
 
@@ -24,17 +24,37 @@ export interface ChartOptions {
   readonly x: Axis;
   readonly y: Axis;
   readonly leftMargin: number;
-  /** The font's size in the units of the page's. */
-  readonly fontScale?: number;
 }
 
-type Draw = (painter: Painter) => void;
+/** A part of the picture. It is drawn again only where its key, or the chart's frame, is another. */
+export interface Layer {
+  readonly key: string;
+  readonly draw: (painter: Painter) => void;
+}
+
+/** From the back to the front: what no slider of the moment touches, what the drag moves, what the shot moves. */
+export interface Layers {
+  readonly still: Layer;
+  readonly curves: Layer;
+  readonly live: Layer;
+}
+
+/** Where a curve's numbers go in the domain: multiplied, then shifted. */
+export interface Placement {
+  readonly from?: number;
+  readonly to?: number;
+  readonly xScale?: number;
+  readonly yScale?: number;
+  readonly xShift?: number;
+  readonly yShift?: number;
+}
 
 const SVG = "http://www.w3.org/2000/svg";
+let charts = 0;
 
 export class Chart {
   readonly host: HTMLElement;
-  /** Holds the handles: elements of their own, which move without anything being painted anew. */
+  /** Holds the handles. */
   readonly handles: HTMLElement;
   readonly x = scaleLinear();
   readonly y = scaleLinear();
@@ -45,12 +65,17 @@ export class Chart {
   readonly #options: ChartOptions;
   readonly #back: SVGSVGElement;
   readonly #axes: SVGGElement;
+  readonly #still: SVGGElement;
+  readonly #clip: SVGRectElement;
+  readonly #clipName = `clip-${(charts += 1)}`;
   readonly #canvas: HTMLCanvasElement;
+  /** The curves without what the shot moves, kept once the shot moves alone. */
+  readonly #kept: HTMLCanvasElement;
+  #isKept = false;
   #axisLabels: { x: string; y: string };
   #extent: Extent = { x: [0, 1], y: [0, 1] };
-  #drawn: Draw | undefined;
-  #key = "";
-  #axesKey = "";
+  #layers: Layers | undefined;
+  #keys = { axes: "", still: "", curves: "", live: "" };
 
   constructor(host: HTMLElement, colors: Palette, options: ChartOptions) {
     this.host = host;
@@ -58,11 +83,18 @@ export class Chart {
     this.#options = options;
     this.#axisLabels = { x: options.x.label, y: options.y.label };
     this.#canvas = document.createElement("canvas");
+    this.#kept = document.createElement("canvas");
     this.#back = document.createElementNS(SVG, "svg");
     this.#back.setAttribute("aria-hidden", "true");
     this.#axes = document.createElementNS(SVG, "g");
+    this.#still = document.createElementNS(SVG, "g");
+    this.#clip = document.createElementNS(SVG, "rect");
+    const clipPath = document.createElementNS(SVG, "clipPath");
+    clipPath.id = this.#clipName;
+    clipPath.append(this.#clip);
+    this.#still.setAttribute("clip-path", `url(#${this.#clipName})`);
     this.handles = document.createElement("div");
-    this.#back.append(this.#axes);
+    this.#back.append(clipPath, this.#axes, this.#still);
     host.append(this.#back, this.#canvas, this.handles);
   }
 
@@ -80,20 +112,21 @@ export class Chart {
   /** Takes the size the page gives; says whether it changed. */
   measure(): boolean {
     const { clientWidth, clientHeight } = this.host;
-    const font = parseFloat(getComputedStyle(this.host).fontSize) * (this.#options.fontScale ?? 1);
+    const font = parseFloat(getComputedStyle(this.host).fontSize);
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const same = clientWidth === this.width && clientHeight === this.height && font === this.fontSize;
     if (same && this.#canvas.width === Math.round(clientWidth * ratio)) return false;
     [this.width, this.height, this.fontSize] = [clientWidth, clientHeight, font];
-    this.#canvas.width = Math.round(clientWidth * ratio);
-    this.#canvas.height = Math.round(clientHeight * ratio);
+    for (const canvas of [this.#canvas, this.#kept]) {
+      canvas.width = Math.round(clientWidth * ratio);
+      canvas.height = Math.round(clientHeight * ratio);
+      canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    }
     // Pixel for pixel: a box of broken width would blur it.
     this.#canvas.style.width = `${clientWidth}px`;
     this.#canvas.style.height = `${clientHeight}px`;
-    this.#canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.#back.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
-    this.#key = "";
-    this.#axesKey = "";
+    this.#forget();
     return true;
   }
 
@@ -106,25 +139,36 @@ export class Chart {
     this.y.domain([...extent.y]).range([top + height, top]);
   }
 
-  /** Draws where `key`, or the frame, is not that of the last time. */
-  draw(key: string, draw: Draw): void {
-    this.#drawn = draw;
+  /** Draws what is not as it was the last time. */
+  show(layers: Layers): void {
+    this.#layers = layers;
     const axes = `${this.#extent.x} ${this.#extent.y} ${this.#axisLabels.x} ${this.#axisLabels.y}`;
-    if (axes !== this.#axesKey) {
-      this.#axesKey = axes;
+    if (axes !== this.#keys.axes) {
+      this.#forget();
       this.#drawAxes();
-      this.#key = "";
+      this.#keys.axes = axes;
     }
-    if (key === this.#key) return;
-    this.#key = key;
-    this.#paint(draw);
+    const keys = this.#keys;
+    if (layers.still.key !== keys.still) {
+      keys.still = layers.still.key;
+      this.#still.innerHTML = this.#asSvg(layers.still);
+    }
+    if (layers.curves.key !== keys.curves) {
+      this.#isKept = false;
+      this.#paint(this.#canvas, layers.curves, layers.live);
+    } else if (layers.live.key !== keys.live) {
+      if (!this.#isKept) this.#paint(this.#kept, layers.curves);
+      this.#isKept = true;
+      this.#paint(this.#canvas, this.#kept, layers.live);
+    }
+    keys.curves = layers.curves.key;
+    keys.live = layers.live.key;
   }
 
   /** Everything is drawn anew next time: the theme has changed. */
   recolor(colors: Palette): void {
     this.colors = colors;
-    this.#key = "";
-    this.#axesKey = "";
+    this.#forget();
   }
 
   /** The domain's coordinates of a pointer. */
@@ -138,32 +182,34 @@ export class Chart {
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
-  /** A curve through points given in the domain's units times `scale`, those within a pixel of the last dropped. */
+  /** A curve through points, those within a pixel of the last dropped. */
   curve(
     pen: Pen,
     xs: ArrayLike<number>,
     ys: ArrayLike<number>,
-    { from = 0, to = xs.length, xScale = 1, yScale = 1 } = {},
+    { from = 0, to = xs.length, xScale = 1, yScale = 1, xShift = 0, yShift = 0 }: Placement = {},
   ): void {
-    // A file keeps fewer points: chords of two pixels stay within a hundredth of one of the curve.
+    // SVG keeps fewer points: chords of two pixels stay within a hundredth of one of the curve.
     const tolerance = pen instanceof CanvasRenderingContext2D ? 1 : 2;
     const [x0 = 0, x1 = 1] = this.x.range();
     const [y0 = 0, y1 = 1] = this.y.range();
     const { x, y } = this.#extent;
-    const xFactor = ((x1 - x0) / (x[1] - x[0])) * xScale;
-    const yFactor = ((y1 - y0) / (y[1] - y[0])) * yScale;
-    const xShift = x0 - ((x1 - x0) / (x[1] - x[0])) * x[0];
-    const yShift = y0 - ((y1 - y0) / (y[1] - y[0])) * y[0];
-    let [lastX, lastY] = [NaN, NaN];
+    const xPixels = (x1 - x0) / (x[1] - x[0]);
+    const yPixels = (y1 - y0) / (y[1] - y[0]);
+    const [xFactor, xOffset] = [xPixels * xScale, x0 + xPixels * (xShift - x[0])];
+    const [yFactor, yOffset] = [yPixels * yScale, y0 + yPixels * (yShift - y[0])];
+    let lastX = NaN;
+    let lastY = NaN;
     for (let index = from; index < to; index += 1) {
-      const px = xs[index] * xFactor + xShift;
+      const px = xs[index] * xFactor + xOffset;
       // Far outside the frame a canvas loses its grip on the slope; the clip hides the difference.
-      const py = Math.max(-9999, Math.min(9999, ys[index] * yFactor + yShift));
+      const py = Math.max(-9999, Math.min(9999, ys[index] * yFactor + yOffset));
+      if (Math.abs(px - lastX) < tolerance && Math.abs(py - lastY) < tolerance && index < to - 1) continue;
       if (Number.isNaN(px + py)) continue;
       if (Number.isNaN(lastX)) pen.moveTo(px, py);
-      else if (Math.abs(px - lastX) < tolerance && Math.abs(py - lastY) < tolerance && index < to - 1) continue;
       else pen.lineTo(px, py);
-      [lastX, lastY] = [px, py];
+      lastX = px;
+      lastY = py;
     }
   }
 
@@ -171,6 +217,16 @@ export class Chart {
     const [px, py] = [this.x(x), this.y(y)];
     pen.moveTo(px + radius, py);
     pen.arc(px, py, radius, 0, 2 * Math.PI);
+  }
+
+  /** What can be taken hold of: a disc with a rim, at a place in pixels. */
+  knob(painter: Painter, [x, y]: readonly [number, number], radius: number, color: string, rim: string, width = 2.3): void {
+    for (const [fill, size] of [[rim, radius], [color, radius - width]] as const) {
+      painter.fill(fill, 1, (pen) => {
+        pen.moveTo(x + size, y);
+        pen.arc(x, y, size, 0, 2 * Math.PI);
+      });
+    }
   }
 
   /** A line along the grid, sharp: in the middle of its pixels. */
@@ -187,22 +243,32 @@ export class Chart {
 
   /** The chart as SVG: what is on the screen, with its title, at `left`, `top` of a larger picture. */
   toSvg(left: number, top: number): string {
-    const painter = new SvgPainter();
-    this.#drawn?.(painter);
     const { margin, plot, colors, fontSize } = this;
-    const id = `clip-${left}-${top}`;
+    const { still, curves, live } = this.#layers ?? {};
+    const parts = [still, curves, live].map((layer) => (layer ? this.#asSvg(layer) : ""));
     return [
       `<g transform="translate(${left},${top})">`,
-      `<clipPath id="${id}"><rect x="${margin.left}" y="${margin.top}" width="${plot.width}" height="${plot.height}"/></clipPath>`,
+      `<clipPath id="${this.#clipName}"><rect x="${margin.left}" y="${margin.top}" width="${plot.width}" height="${plot.height}"/></clipPath>`,
       `<text x="${margin.left}" y="-2" fill="${colors.ink}" font-family="${FONT}" font-size="${fontSize}" font-weight="600">${escaped(this.#options.title)}</text>`,
       this.#axes.outerHTML.replace(/ class="[^"]*"/g, ""),
-      `<g clip-path="url(#${id})">${painter.parts.join("")}</g>`,
+      `<g clip-path="url(#${this.#clipName})">${parts.join("")}</g>`,
       "</g>",
     ].join("\n");
   }
 
-  #paint(draw: Draw): void {
-    const context = this.#canvas.getContext("2d");
+  #forget(): void {
+    this.#keys = { axes: "", still: "", curves: "", live: "" };
+    this.#isKept = false;
+  }
+
+  #asSvg(layer: Layer): string {
+    const painter = new SvgPainter();
+    layer.draw(painter);
+    return painter.parts.join("");
+  }
+
+  #paint(canvas: HTMLCanvasElement, ...parts: (Layer | HTMLCanvasElement)[]): void {
+    const context = canvas.getContext("2d");
     if (!context) return;
     context.clearRect(0, 0, this.width, this.height);
     context.save();
@@ -211,7 +277,10 @@ export class Chart {
     // A pixel more: lines along the edge keep their width.
     context.rect(left - 1, top - 1, this.plot.width + 2, this.plot.height + 2);
     context.clip();
-    draw(new CanvasPainter(context));
+    for (const part of parts) {
+      if (part instanceof HTMLCanvasElement) context.drawImage(part, 0, 0, this.width, this.height);
+      else part.draw(new CanvasPainter(context));
+    }
     context.restore();
   }
 
@@ -220,10 +289,13 @@ export class Chart {
     const { width, height } = this.plot;
     const { x, y } = this.#options;
     const font = this.fontSize;
-    const bottom = axisBottom<number>(this.x.range([left, left + width]) as never);
-    const side = axisLeft<number>(this.y.range([top + height, top]) as never);
-    ticked(bottom, x, width / (5.5 * font)).tickSize(-height);
-    ticked(side, y, height / (3.2 * font)).tickSize(-width);
+    const bottom = axisBottom<number>(this.x as never);
+    const side = axisLeft<number>(this.y as never);
+    ticked(bottom, x, this.#extent.x, width / (5.5 * font)).tickSize(-height);
+    ticked(side, y, this.#extent.y, height / (3.2 * font)).tickSize(-width);
+    for (const [name, value] of Object.entries({ x: left - 1, y: top - 1, width: width + 2, height: height + 2 })) {
+      this.#clip.setAttribute(name, String(value));
+    }
     const root = select(this.#axes);
     root.selectAll("*").remove();
     for (const [axis, transform] of [
@@ -237,28 +309,24 @@ export class Chart {
     }
     const frame = `M${left},${top}V${top + height}H${left + width}`;
     root.append("path").attr("d", frame).attr("fill", "none").attr("stroke", this.colors.muted);
-    root
-      .append("text")
-      .attr("x", left + width)
-      .attr("y", top + height + 2.5 * font)
-      .attr("text-anchor", "end")
-      .attr("font-size", font)
-      .attr("font-family", FONT)
-      .attr("fill", this.colors.ink)
-      .text(this.#axisLabels.x);
-    root
-      .append("text")
-      .attr("x", 0.2 * font)
-      .attr("y", 1.1 * font)
-      .attr("font-size", font)
-      .attr("font-family", FONT)
-      .attr("fill", this.colors.ink)
-      .text(this.#axisLabels.y);
+    const [xLabel, yLabel] = [this.#axisLabels.x, this.#axisLabels.y];
+    for (const [text, px, py, anchor] of [
+      [xLabel, left + width, top + height + 2.5 * font, "end"],
+      [yLabel, 0.2 * font, 1.1 * font, "start"],
+    ] as const) {
+      const label = root.append("text").attr("x", px).attr("y", py).attr("text-anchor", anchor);
+      label.attr("font-size", font).attr("font-family", FONT).attr("fill", this.colors.ink).text(text);
+    }
   }
 }
 
-function ticked(axis: D3Axis<number>, { ticks, format }: Axis, count: number): D3Axis<number> {
-  if (ticks) axis.tickValues([...ticks]);
+function ticked(
+  axis: D3Axis<number>,
+  { ticks, format }: Axis,
+  extent: readonly [number, number],
+  count: number,
+): D3Axis<number> {
+  if (ticks) axis.tickValues([...ticks(extent)]);
   else axis.ticks(Math.max(2, Math.round(count)));
   axis.tickFormat(format ?? ((value) => short(value)));
   return axis.tickPadding(5);

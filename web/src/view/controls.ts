@@ -138,9 +138,9 @@ export class Controls {
       setAttribute(slider, "aria-label", DRAG_NAMES[state.dragKind]);
       setAttribute(field, "aria-label", `${DRAG_NAMES[state.dragKind]}, as a number`);
       const parts = {
-        epsilon: `ε = ${short(scales.epsilon, 5)}`,
-        drag_rate: `b = ${short(scales.dragRate, 5)} /s`,
-        terminal_speed: `terminal speed ${short(scales.terminalSpeed, 5)} m/s`,
+        epsilon: `ε = ${short(scales.epsilon, 4)}`,
+        drag_rate: `b = ${short(scales.dragRate, 4)} /s`,
+        terminal_speed: `terminal speed ${short(scales.terminalSpeed, 4)} m/s`,
       };
       const others = (Object.keys(parts) as DragKind[]).filter((kind) => kind !== state.dragKind);
       setText(byId("drag-follows"), others.map((kind) => parts[kind]).join(", "));
@@ -148,8 +148,10 @@ export class Controls {
   }
 
   #shot(): void {
+    const angle = byId<HTMLInputElement>("angle-slider");
+    this.#showing.push(({ state }) => setAttribute(angle, "max", state.sides === "both" ? "180" : "90"));
     this.#number(
-      byId("angle-slider"),
+      angle,
       byId("angle-number"),
       (state) => state.angle,
       (angle) => ({ angle }),
@@ -234,11 +236,14 @@ export class Controls {
       byId("layers").append(make("label", {}, box, LAYERS[layer]));
       return [layer, box] as const;
     });
+    const both = byId<HTMLInputElement>("both-sides");
+    both.addEventListener("change", () => this.#change({ sides: both.checked ? "both" : "right" }));
     const fit = byId<HTMLInputElement>("fit");
     fit.addEventListener("change", () => this.#change({ frame: fit.checked ? "fit" : "fixed" }));
     this.#showing.push(({ state }) => {
       for (const [layer, box] of boxes) box.checked = state.layers.includes(layer);
       fit.checked = state.frame === "fit";
+      both.checked = state.sides === "both";
     });
   }
 }

@@ -33,13 +33,13 @@ export class Explorer {
   readonly #controls: Controls;
   readonly #player: Player;
   readonly #readout: Readout;
-  readonly #formulas: Formulas;
   readonly #tables: Tables;
   readonly #handles: { apex: Handle; direction: Handle };
   readonly #cursors: readonly Handle[];
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
   /** What the last frame took, and when the first was drawn, ms: for measurements. */
   readonly timings = { computing: 0, drawing: 0, interactive: 0 };
+  #formulas: Formulas | undefined;
   #colors: Palette;
   #asked = false;
   #resized = true;
@@ -62,7 +62,6 @@ export class Explorer {
     this.#controls = new Controls(store, complain);
     this.#player = new Player(store);
     this.#readout = new Readout(() => this.#ask());
-    this.#formulas = new Formulas();
     this.#tables = new Tables(model);
     this.#handles = this.#mainHandles();
     this.#cursors = this.#panels.map((panel) => this.#cursor(panel));
@@ -82,6 +81,25 @@ export class Explorer {
     for (const { host } of this.#charts) sizes.observe(host);
     this.#draw();
     this.timings.interactive = performance.now();
+    this.#whenIdle();
+  }
+
+  /** What can wait until the page stands: the formulas, then the curves of the named angles, some at a time. */
+  #whenIdle(): void {
+    const { namedCurves } = this.#model;
+    const work = (): boolean => {
+      if (!this.#formulas) {
+        this.#formulas = new Formulas();
+        this.#ask();
+      } else {
+        namedCurves.advance();
+        if (namedCurves.complete) this.#ask();
+      }
+      return !namedCurves.complete;
+    };
+    const idle = window.requestIdleCallback ?? ((call: () => void) => setTimeout(call, 10));
+    const next = (): void => void idle(() => work() && next(), { timeout: 200 });
+    next();
   }
 
   /** Shows a sentence above the page, or none. */
@@ -108,11 +126,11 @@ export class Explorer {
     this.#resized = false;
     this.#main.draw(scene);
     for (const panel of this.#panels) panel.draw(scene);
-    this.#placeHandles(scene);
+    this.#placeHandles(scene, false);
     this.#controls.show(scene, this.#colors);
     this.#player.show(scene);
     this.#readout.show(scene);
-    this.#formulas.show(scene);
+    this.#formulas?.show(scene);
     clearTimeout(this.#rest);
     this.#rest = window.setTimeout(() => this.#settle(scene), REST);
     this.timings.computing = computed - start;
@@ -120,6 +138,7 @@ export class Explorer {
   }
 
   #settle(scene: Scene): void {
+    this.#placeHandles(scene, true);
     setText(byId("summary-text"), toWords(scene));
     const code = byId("python-line").querySelector("code");
     if (code) setText(code, toPython(scene));
@@ -127,19 +146,28 @@ export class Explorer {
     history.replaceState(null, "", `#${toHash(scene.state)}`);
   }
 
-  #placeHandles(scene: Scene): void {
+  /**
+   * The handle in use moves at once, the others when the hand rests: nobody sees them, since the
+   * charts draw the knobs, and an element that moves is laid out and painted anew.
+   */
+  #placeHandles(scene: Scene, all: boolean): void {
     const { state, apex, scales } = scene;
-    const { apex: atApex, direction } = this.#main.places(scene);
-    const elevation = degrees(apex.elevation);
-    const where = `${short(apex.x * scales.length, 4)} m away, ${short(apex.y * scales.length, 4)} m high`;
-    this.#handles.apex.place(atApex, elevation, `elevation ${short(elevation, 4)} degrees, ${where}`);
-    this.#handles.direction.place(direction, state.angle, `launch angle ${short(state.angle, 5)} degrees`);
+    const max = state.sides === "both" ? 180 : 90;
+    const { apex: atApex, direction } = this.#handles;
+    const turned = `launch angle ${short(state.angle, 5)} degrees`;
+    if (all || atApex.focused) {
+      const elevation = degrees(apex.elevation);
+      const where = `${short(apex.x * scales.length, 4)} m away, ${short(apex.y * scales.length, 4)} m high`;
+      const text = `elevation ${short(elevation, 4)} degrees, ${where}`;
+      atApex.place(this.#main.places(scene).apex, elevation, max, text);
+    }
+    if (all || direction.focused) direction.place(this.#main.places(scene).direction, state.angle, max, turned);
     this.#panels.forEach((panel, index) => {
-      const [value, text] =
-        panel instanceof NamedPanel
-          ? [scales.epsilon, `epsilon ${short(scales.epsilon)}`]
-          : [state.angle, `launch angle ${short(state.angle, 5)} degrees`];
-      this.#cursors[index].place(panel.place(scene), value, text);
+      const cursor = this.#cursors[index];
+      if (!all && !cursor.focused) return;
+      if (panel instanceof NamedPanel) {
+        cursor.place(panel.place(scene), scales.epsilon, 1000, `epsilon ${short(scales.epsilon)}`);
+      } else cursor.place(panel.place(scene), state.angle, max, turned);
     });
   }
 
@@ -153,8 +181,8 @@ export class Explorer {
     const launchAngle =
       "launchAngle" in wish
         ? wish.launchAngle
-        : this.#model.shots.launchAngle(Math.min(Math.PI / 2, Math.max(0, wish.elevation)), this.#scales.epsilon);
-    this.#store.change({ angle: Math.min(90, Math.max(0, Number(degrees(launchAngle).toFixed(3)))) });
+        : this.#model.shots.launchAngle(Math.min(Math.PI, Math.max(0, wish.elevation)), this.#scales.epsilon);
+    this.#store.change({ angle: Math.min(180, Math.max(0, Number(degrees(launchAngle).toFixed(3)))) });
   }
 
   get #charts(): readonly [Chart, ...Chart[]] {
@@ -171,13 +199,12 @@ export class Explorer {
   }
 
   #turnTo(which: "first" | "last"): void {
-    this.#store.change({ angle: which === "first" ? 0 : 90 });
+    this.#store.change({ angle: which === "first" ? 0 : this.#store.state.sides === "both" ? 180 : 90 });
   }
 
   #mainHandles(): { apex: Handle; direction: Handle } {
     const { chart } = this.#main;
     const keys = {
-      max: 90,
       steps: ANGLE_STEPS,
       move: (by: number) => this.#turn(by),
       end: (which: "first" | "last") => this.#turnTo(which),
@@ -197,7 +224,9 @@ export class Explorer {
       if (!onHandle) (dragsDirection ? direction : apex).element.focus({ preventScroll: true });
       return (now) => {
         const at = chart.at(now);
-        const angle = Math.atan2(Math.max(0, at.y), Math.max(0, at.x));
+        // Where only the right side is shown, a pointer that strays over the vertical stays on it.
+        const right = this.#store.state.sides === "right";
+        const angle = Math.atan2(Math.max(0, at.y), right ? Math.max(0, at.x) : at.x);
         this.#wish(dragsDirection ? { launchAngle: angle } : { elevation: angle });
       };
     });
@@ -223,7 +252,6 @@ export class Explorer {
     return new Handle(panel.chart.handles, {
       label: `${panel.name}: cursor`,
       kind: "cursor",
-      max: drag ? 1000 : 90,
       steps: drag ? EPSILON_STEPS : ANGLE_STEPS,
       move: (by) => (drag ? slideTo(Number(slider.value) + by) : this.#turn(by)),
       end: (which) => (drag ? slideTo(which === "first" ? -Infinity : Infinity) : this.#turnTo(which)),

@@ -5,7 +5,6 @@ import { make, setAttribute } from "./dom.ts";
 export interface HandleOptions {
   readonly label: string;
   readonly kind: string;
-  readonly max: number;
   /** Steps of the arrow keys and of Page Up and Page Down. */
   readonly steps: readonly [number, number];
   /** Moves by some steps' worth, or to an end. */
@@ -13,19 +12,18 @@ export interface HandleOptions {
   readonly end: (which: "first" | "last") => void;
 }
 
-/** A knob: a slider to assistive technology. */
+/** The place of a knob, which the chart draws: a slider to assistive technology. */
 export class Handle {
   readonly element: HTMLElement;
 
-  constructor(parent: HTMLElement, { label, kind, max, steps, move, end }: HandleOptions) {
+  constructor(parent: HTMLElement, { label, kind, steps, move, end }: HandleOptions) {
     this.element = make("div", {
       class: `handle ${kind}`,
       role: "slider",
       tabindex: "0",
       "aria-label": label,
       "aria-valuemin": "0",
-      "aria-valuemax": String(max),
-    }, make("span", { class: "knob" }));
+    });
     this.element.addEventListener("keydown", (event) => {
       const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
       const page = { PageUp: 1, PageDown: -1 }[event.key];
@@ -41,8 +39,14 @@ export class Handle {
     parent.append(this.element);
   }
 
-  place([x, y]: readonly [number, number], value: number, text: string): void {
+  /** Whether it is in use. */
+  get focused(): boolean {
+    return this.element === document.activeElement;
+  }
+
+  place([x, y]: readonly [number, number], value: number, max: number, text: string): void {
     this.element.style.transform = `translate(${x.toFixed(2)}px,${y.toFixed(2)}px)`;
+    setAttribute(this.element, "aria-valuemax", String(max));
     setAttribute(this.element, "aria-valuenow", String(value));
     setAttribute(this.element, "aria-valuetext", text);
   }

@@ -1,11 +1,12 @@
 /** The small panels: each a curve of the locus with the cursor of the current shot on it. */
 
 import { NAMED, type NamedAngle } from "../model/named.ts";
-import { NAMED_DECADES, type Model, type Scene } from "../model/model.ts";
+import { NAMED_DECADES } from "../model/named_curves.ts";
+import { type Model, type Scene } from "../model/model.ts";
 import { type LocusCurves } from "../model/curves.ts";
 import { degrees, radians, superscript } from "../model/numbers.ts";
 import { Chart, type Axis, type Extent } from "./chart.ts";
-import { type Painter } from "./painter.ts";
+import { type Pen } from "./painter.ts";
 import { compareStroke, DASHES, namedStroke, type Palette } from "./palette.ts";
 import { stepAbove } from "./main_panel.ts";
 
@@ -23,9 +24,10 @@ export interface Panel {
   wish(x: number, scene: Scene): Wish;
 }
 
-const ANGLE_TICKS = [0, 30, 60, 90];
 const TO_DEGREES = degrees(1);
-const angleAxis = (label: string): Axis => ({ label, ticks: ANGLE_TICKS });
+const angleTicks = ([, last]: readonly [number, number]): number[] =>
+  last > 90 ? [0, 45, 90, 135, 180] : [0, 30, 60, 90];
+const angleAxis = (label: string): Axis => ({ label, ticks: angleTicks });
 
 interface CurvePanelOptions {
   readonly title: string;
@@ -38,7 +40,9 @@ interface CurvePanelOptions {
   readonly ys: (locus: LocusCurves) => ArrayLike<number>;
   readonly xScale?: (scene: Scene) => number;
   readonly yScale?: number;
-  readonly yExtent: (curves: readonly LocusCurves[]) => readonly [number, number];
+  /** Of the mirror image, for shots to the left: 180° less the angle, or the same with this sign. */
+  readonly mirror: "angle" | 1 | -1;
+  readonly yExtent: (curves: readonly LocusCurves[], scene: Scene) => readonly [number, number];
   readonly cursor: (scene: Scene) => readonly [number, number];
   readonly wish: (x: number, scene: Scene) => Wish;
   readonly xLabel?: (scene: Scene) => string;
@@ -49,6 +53,7 @@ class CurvePanel implements Panel {
   readonly chart: Chart;
   readonly name: string;
   readonly #options: CurvePanelOptions;
+  #extent: { key: string; y: readonly [number, number] } = { key: "", y: [0, 1] };
 
   constructor(host: HTMLElement, colors: Palette, options: CurvePanelOptions) {
     this.#options = options;
@@ -57,32 +62,54 @@ class CurvePanel implements Panel {
   }
 
   draw(scene: Scene): void {
-    const { xs, ys, xScale, yScale = 1, yExtent, xLabel, cursor } = this.#options;
+    const { yExtent, xLabel, cursor } = this.#options;
     const { chart } = this;
-    const { locus, dragFree, compared } = scene;
-    const extent: Extent = { x: [0, 90], y: yExtent([locus, dragFree, ...compared]) };
+    const { state, locus, dragFree, compared } = scene;
+    const others = `${compared.map(({ epsilon }) => epsilon)} ${state.curvatureBy} ${state.sides}`;
+    const key = `${locus.version} ${others}`;
+    if (key !== this.#extent.key) this.#extent = { key, y: yExtent([locus, dragFree, ...compared], scene) };
+    const extent: Extent = { x: [0, lastAngle(scene)], y: this.#extent.y };
     chart.frame(extent, xLabel ? { x: xLabel(scene) } : {});
     const [cursorX, cursorY] = cursor(scene);
-    const key = [locus.version, compared.map(({ epsilon }) => epsilon), scene.state.curvatureBy, cursorX].join(" ");
-    const draw = (painter: Painter): void => {
-      const scale = { xScale: xScale?.(scene) ?? 1, yScale };
-      const { colors } = chart;
-      painter.stroke({ color: colors.ellipse, width: 1.4, dash: DASHES.ellipse }, (pen) =>
-        chart.curve(pen, xs(dragFree, scene), ys(dragFree), scale),
-      );
-      compared.forEach((other, index) =>
-        painter.stroke(compareStroke(colors, index), (pen) => chart.curve(pen, xs(other, scene), ys(other), scale)),
-      );
-      painter.stroke({ color: colors.locus, width: 2 }, (pen) =>
-        chart.curve(pen, xs(locus, scene), ys(locus), scale),
-      );
-      painter.stroke({ color: colors.shot, width: 1 }, (pen) => {
-        chart.rule(pen, cursorX, extent.y[0], cursorX, extent.y[1]);
-        chart.rule(pen, 0, cursorY, cursorX, cursorY);
-      });
-      painter.fill(colors.shot, 1, (pen) => chart.dot(pen, cursorX, cursorY, 3.5));
-    };
-    chart.draw(key, draw);
+    const { colors } = chart;
+    chart.show({
+      still: {
+        key: others,
+        draw: (painter) => {
+          painter.stroke({ color: colors.ellipse, width: 1.4, dash: DASHES.ellipse }, (pen) =>
+            this.#curve(pen, dragFree, scene),
+          );
+          compared.forEach((other, index) =>
+            painter.stroke(compareStroke(colors, index), (pen) => this.#curve(pen, other, scene)),
+          );
+        },
+      },
+      curves: {
+        key,
+        draw: (painter) =>
+          painter.stroke({ color: colors.locus, width: 2 }, (pen) => this.#curve(pen, locus, scene)),
+      },
+      live: {
+        key: `${cursorX} ${cursorY}`,
+        draw: (painter) => {
+          painter.stroke({ color: colors.shot, width: 1 }, (pen) => {
+            chart.rule(pen, cursorX, extent.y[0], cursorX, extent.y[1]);
+            chart.rule(pen, 0, cursorY, cursorX, cursorY);
+          });
+          chart.knob(painter, this.place(scene), 5.5, colors.paper, colors.shot);
+        },
+      },
+    });
+  }
+
+  #curve(pen: Pen, locus: LocusCurves, scene: Scene): void {
+    const { xs, ys, xScale, yScale = 1, mirror } = this.#options;
+    const scale = xScale?.(scene) ?? 1;
+    const [x, y] = [xs(locus, scene), ys(locus)];
+    this.chart.curve(pen, x, y, { xScale: scale, yScale });
+    if (scene.state.sides === "right") return;
+    const flipped = mirror === "angle" ? { yScale: -yScale, yShift: 180 } : { yScale: mirror * yScale };
+    this.chart.curve(pen, x, y, { xScale: -scale, xShift: 180, ...flipped });
   }
 
   place(scene: Scene): [number, number] {
@@ -94,6 +121,9 @@ class CurvePanel implements Panel {
     return this.#options.wish(x, scene);
   }
 }
+
+/** The largest angle on the axes, degrees. */
+const lastAngle = ({ state }: Scene): number => (state.sides === "both" ? 180 : 90);
 
 /** Frames that hold still while their curves move a little, and end on round numbers. */
 function roundExtent(low: number, high: number): readonly [number, number] {
@@ -119,12 +149,13 @@ export function elevationPanel(host: HTMLElement, colors: Palette): Panel {
     title: "Elevation of the apex",
     name: "Elevation of the apex against launch angle",
     x: angleAxis("launch angle α (°)"),
-    y: { label: "elevation θ (°)", ticks: ANGLE_TICKS },
-    leftMargin: 2.5,
+    y: { label: "elevation θ (°)", ticks: angleTicks },
+    leftMargin: 2.8,
+    mirror: "angle",
     xs: (locus) => locus.grid.degrees,
     ys: (locus) => locus.elevation,
     yScale: TO_DEGREES,
-    yExtent: () => [0, 90],
+    yExtent: (_, scene) => [0, lastAngle(scene)],
     cursor: ({ state, apex }) => [state.angle, degrees(apex.elevation)],
     wish: (x) => ({ launchAngle: radians(x) }),
   });
@@ -137,9 +168,10 @@ export function slopePanel(host: HTMLElement, colors: Palette): Panel {
     x: angleAxis("elevation θ (°)"),
     y: { label: "dα/dθ" },
     leftMargin: 2.8,
+    mirror: 1,
     xs: (locus) => locus.grid.degrees,
     ys: (locus) => locus.launchAngleD1,
-    yExtent: (curves) => [0, Math.max(2.2, extremes(curves.map((c) => c.launchAngleD1))[1] * 1.05)],
+    yExtent: (curves) => roundExtent(0, Math.max(2.2, extremes(curves.map((c) => c.launchAngleD1))[1])),
     cursor: ({ apex, slopes }) => [degrees(apex.elevation), slopes[0]],
     wish: byElevation,
   });
@@ -152,9 +184,14 @@ export function bendPanel(host: HTMLElement, colors: Palette): Panel {
     x: angleAxis("elevation θ (°)"),
     y: { label: "d²α/dθ²" },
     leftMargin: 3.4,
+    mirror: -1,
     xs: (locus) => locus.grid.degrees,
     ys: (locus) => locus.launchAngleD2,
-    yExtent: (curves) => roundExtent(...extremes(curves.map((c) => c.launchAngleD2))),
+    yExtent: (curves, { state }) => {
+      const [low, high] = extremes(curves.map((c) => c.launchAngleD2));
+      const most = Math.max(-low, high);
+      return state.sides === "both" ? roundExtent(-most, most) : roundExtent(low, high);
+    },
     cursor: ({ apex, slopes }) => [degrees(apex.elevation), slopes[1]],
     wish: byElevation,
   });
@@ -168,6 +205,7 @@ export function curvaturePanel(host: HTMLElement, colors: Palette): Panel {
     x: angleAxis("launch angle α (°)"),
     y: { label: "curvature ρK" },
     leftMargin: 3.2,
+    mirror: 1,
     xs: (locus, scene) => (byLaunch(scene) ? locus.grid.degrees : locus.elevation),
     xScale: (scene) => (byLaunch(scene) ? 1 : TO_DEGREES),
     ys: (locus) => locus.curvature,
@@ -194,10 +232,10 @@ export class NamedPanel implements Panel {
       title: "Named angles",
       x: {
         label: "drag parameter ε",
-        ticks: Array.from({ length: high - low + 1 }, (_, index) => low + index).filter((d) => d % 1 === 0),
+        ticks: () => Array.from({ length: high - low + 1 }, (_, index) => low + index),
         format: (decade) => (decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`),
       },
-      y: { label: "launch angle α (°)", ticks: ANGLE_TICKS },
+      y: { label: "launch angle α (°)", ticks: angleTicks },
       leftMargin: 2.5,
     });
   }
@@ -205,24 +243,36 @@ export class NamedPanel implements Panel {
   draw(scene: Scene): void {
     const { chart } = this;
     chart.frame({ x: NAMED_DECADES, y: [0, 90] });
-    const x = this.#decade(scene);
-    const draw = (painter: Painter): void => {
-      const { decades, angles } = this.#model.namedCurves();
-      (Object.keys(NAMED) as NamedAngle[]).forEach((name, index) =>
-        painter.stroke(namedStroke(chart.colors, index), (pen) =>
-          chart.curve(pen, decades, angles[name], { yScale: TO_DEGREES }),
-        ),
-      );
-      painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
-        chart.rule(pen, x, 0, x, 90);
-        chart.rule(pen, NAMED_DECADES[0], scene.state.angle, x, scene.state.angle);
-      });
-    };
-    chart.draw(`${x} ${scene.state.angle}`, draw);
+    const { decades, angles, complete } = this.#model.namedCurves;
+    const [x, y] = [this.#decade(scene), acute(scene)];
+    chart.show({
+      still: {
+        key: String(complete),
+        draw: (painter) => {
+          if (!complete) return;
+          (Object.keys(NAMED) as NamedAngle[]).forEach((name, index) =>
+            painter.stroke(namedStroke(chart.colors, index), (pen) =>
+              chart.curve(pen, decades, angles[name], { yScale: TO_DEGREES }),
+            ),
+          );
+        },
+      },
+      curves: { key: "", draw: () => undefined },
+      live: {
+        key: `${x} ${y}`,
+        draw: (painter) => {
+          painter.stroke({ color: chart.colors.shot, width: 1 }, (pen) => {
+            chart.rule(pen, x, 0, x, 90);
+            chart.rule(pen, NAMED_DECADES[0], y, x, y);
+          });
+          chart.knob(painter, this.place(scene), 5.5, chart.colors.paper, chart.colors.shot);
+        },
+      },
+    });
   }
 
   place(scene: Scene): [number, number] {
-    return [this.chart.x(this.#decade(scene)), this.chart.y(scene.state.angle)];
+    return [this.chart.x(this.#decade(scene)), this.chart.y(acute(scene))];
   }
 
   /** Left of the axis lies no drag at all. */
@@ -236,3 +286,6 @@ export class NamedPanel implements Panel {
     return Math.min(high, Math.max(low, Math.log10(epsilon)));
   }
 }
+
+/** Launch angle of the shot, or of its mirror image to the right. */
+const acute = ({ state: { angle } }: Scene): number => Math.min(angle, 180 - angle);

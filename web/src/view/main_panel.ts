@@ -2,8 +2,8 @@
 
 import { shows, type Model, type Scene } from "../model/model.ts";
 import { lengthUnit, short } from "../model/numbers.ts";
-import { Chart } from "./chart.ts";
-import { type Painter, type Stroke } from "./painter.ts";
+import { Chart, type Extent, type Placement } from "./chart.ts";
+import { type Painter, type Pen, type Stroke } from "./painter.ts";
 import { compareStroke, DASHES, type Palette } from "./palette.ts";
 
 /** Teeth of the curvature comb. */
@@ -32,21 +32,19 @@ export class MainPanel {
     });
   }
 
-  /** Draws the scene; `drawn` is how many times the locus was computed. */
   draw(scene: Scene): void {
     this.#frame(scene);
-    const { state, locus, scales } = scene;
-    const key = [
-      locus.version,
-      scales.length,
-      state.layers,
-      scene.compared.map(({ epsilon }) => epsilon),
-      state.angle,
-      scene.time,
-    ].join(" ");
-    this.chart.draw(key, (painter) => {
-      this.#base(painter, scene);
-      this.#live(painter, scene);
+    const { state, scales, locus, compared, time } = scene;
+    const wrong = shows(state, "ghost") ? this.#model.principal(locus).count : 0;
+    const others = compared.map(({ epsilon }) => epsilon).join();
+    const shown = `${state.layers} ${state.sides} ${scales.length / this.#metres}`;
+    this.chart.show({
+      still: { key: `${shown} ${others} ${wrong > 0}`, draw: (painter) => this.#still(painter, scene, wrong) },
+      curves: { key: `${shown} ${locus.version}`, draw: (painter) => this.#curves(painter, scene) },
+      live: {
+        key: `${shown} ${this.#model.shot(scene).version} ${time}`,
+        draw: (painter) => this.#live(painter, scene),
+      },
     });
   }
 
@@ -68,69 +66,75 @@ export class MainPanel {
     const { state, scales, reach, top } = scene;
     const { width, height } = this.chart.plot;
     const fit = state.frame === "fit";
-    const wide = fit ? 1.03 * reach : 1.03;
+    const sides = state.sides === "both" ? 2 : 1;
+    const wide = sides * (fit ? 1.03 * reach : 1.03);
     const high = fit ? 1.08 * top : 0.535;
     const perPixel = Math.max(wide / width, high / height);
     // Steps of a tenth of a decade or so: the frame stands still while the curves move in it.
     const step = fit ? stepAbove(perPixel * width) / width : perPixel;
     const [unit, metres] = lengthUnit(0.5 * step * width * scales.length);
     this.#metres = metres;
-    const extent = {
-      x: [0, (step * width * scales.length) / metres],
+    const far = (step * width * scales.length) / metres;
+    const extent: Extent = {
+      x: sides === 2 ? [-far / 2, far / 2] : [0, far],
       y: [0, (step * height * scales.length) / metres],
-    } as const;
+    };
     this.chart.frame(extent, { x: `distance x (${unit})`, y: `height y (${unit})` });
   }
 
-  #base(painter: Painter, scene: Scene): void {
-    const { chart } = this;
-    const { state, scales, locus, dragFree, compared } = scene;
-    const { colors } = chart;
-    const scale = { xScale: scales.length / this.#metres, yScale: scales.length / this.#metres };
-    const entries: Entry[] = [{ label: `locus, ε = ${short(scales.epsilon, 4)}`, stroke: { color: colors.locus, width: 2.6 } }];
+  /** A curve of the right side, in units of ρ, and its mirror image where both sides are shown. */
+  #curve(pen: Pen, { state, scales }: Scene, xs: Float64Array, ys: Float64Array, part: Placement = {}): void {
+    const unit = scales.length / this.#metres;
+    this.chart.curve(pen, xs, ys, { ...part, xScale: unit, yScale: unit });
+    if (state.sides === "both") this.chart.curve(pen, xs, ys, { ...part, xScale: -unit, yScale: unit });
+  }
+
+  #still(painter: Painter, scene: Scene, wrong: number): void {
+    const { colors } = this.chart;
+    const { state, dragFree, compared } = scene;
+    const strokes = this.#strokes();
+    const entries: Entry[] = [{ label: "locus of the apexes", stroke: strokes.locus }];
+    if (shows(state, "envelope")) entries.push({ label: "envelope", stroke: strokes.envelope });
+    if (shows(state, "drag_free")) {
+      painter.stroke(strokes.dragFree, (pen) => this.#curve(pen, scene, dragFree.x, dragFree.y));
+      entries.push({ label: "without drag (ellipse)", stroke: strokes.dragFree });
+    }
+    compared.forEach((other, index) => {
+      const stroke = compareStroke(colors, index, 2);
+      painter.stroke(stroke, (pen) => this.#curve(pen, scene, other.x, other.y));
+      entries.push({ label: `locus at ε = ${short(other.epsilon, 4)}`, stroke });
+    });
+    if (shows(state, "comb")) entries.push({ label: "curvature ρK, as a comb", stroke: strokes.comb });
+    if (shows(state, "ghost")) {
+      entries.push({ label: wrong ? "what W₀ would draw" : "W₀ draws the same here", stroke: strokes.ghost });
+    }
+    if (shows(state, "circle")) entries.push({ label: "all shots at time t", stroke: strokes.circle });
+    this.#legend(painter, entries);
+  }
+
+  #curves(painter: Painter, scene: Scene): void {
+    const { state, scales, locus } = scene;
+    const strokes = this.#strokes();
     if (shows(state, "fan")) {
-      const stroke = { color: colors.ink, width: 0.8, opacity: 0.45 };
       const fan = this.#model.fan(scales.epsilon);
-      painter.stroke(stroke, (pen) => {
+      painter.stroke(strokes.fan, (pen) => {
         for (let shot = 0; shot < fan.shots; shot += 1) {
-          const from = shot * fan.samples;
-          chart.curve(pen, fan.x, fan.y, { from, to: from + fan.samples, ...scale });
+          const from = shot * fan.stride;
+          this.#curve(pen, scene, fan.x, fan.y, { from, to: from + fan.counts[shot] });
         }
       });
     }
     if (shows(state, "envelope")) {
-      const stroke = { color: colors.envelope, width: 1.8, dash: DASHES.envelope };
       const envelope = this.#model.envelope(scene);
-      painter.stroke(stroke, (pen) => chart.curve(pen, envelope.x, envelope.y, scale));
-      entries.push({ label: "envelope", stroke });
+      painter.stroke(strokes.envelope, (pen) => this.#curve(pen, scene, envelope.x, envelope.y));
     }
-    if (shows(state, "drag_free")) {
-      const stroke = { color: colors.ellipse, width: 1.8, dash: DASHES.ellipse };
-      painter.stroke(stroke, (pen) => chart.curve(pen, dragFree.x, dragFree.y, scale));
-      entries.push({ label: "without drag (ellipse)", stroke });
-    }
-    compared.forEach((other, index) => {
-      const stroke = compareStroke(colors, index, 2);
-      painter.stroke(stroke, (pen) => chart.curve(pen, other.x, other.y, scale));
-      entries.push({ label: `ε = ${short(other.epsilon, 4)}`, stroke });
-    });
-    if (shows(state, "comb")) {
-      const stroke = { color: colors.comb, width: 1 };
-      this.#comb(painter, scene, stroke);
-      entries.push({ label: "curvature ρK, as a comb", stroke });
-    }
-    painter.stroke(entries[0].stroke, (pen) => chart.curve(pen, locus.x, locus.y, scale));
+    if (shows(state, "comb")) this.#comb(painter, scene, strokes.comb);
+    painter.stroke(strokes.locus, (pen) => this.#curve(pen, scene, locus.x, locus.y));
     if (shows(state, "ghost")) {
-      const stroke = { color: colors.ghost, width: 2, dash: DASHES.ghost };
       const { curve, count } = this.#model.principal(locus);
-      painter.stroke(stroke, (pen) => chart.curve(pen, curve.x, curve.y, { to: count, ...scale }));
-      entries.push({ label: count ? "what W₀ would draw" : "W₀ draws the same here", stroke });
+      painter.stroke(strokes.ghost, (pen) => this.#curve(pen, scene, curve.x, curve.y, { to: count }));
     }
     if (shows(state, "points")) this.#points(painter, scene);
-    if (shows(state, "circle")) {
-      entries.push({ label: "all shots at time t", stroke: { color: colors.circle, width: 1.8, dash: DASHES.circle } });
-    }
-    this.#legend(painter, entries);
   }
 
   #live(painter: Painter, scene: Scene): void {
@@ -145,7 +149,7 @@ export class MainPanel {
     if (shows(state, "circle")) {
       const { radius, centre } = this.#model.shots.front(time, scales.epsilon);
       const pixels = chart.x(radius * unit) - chart.x(0);
-      painter.stroke({ color: colors.circle, width: 1.8, dash: DASHES.circle }, (pen) => {
+      painter.stroke(this.#strokes().circle, (pen) => {
         const [x, y] = [chart.x(0), chart.y(centre * unit)];
         pen.moveTo(x + pixels, y);
         pen.arc(x, y, pixels, 0, 2 * Math.PI);
@@ -155,41 +159,57 @@ export class MainPanel {
     painter.stroke({ color: colors.muted, width: 1, dash: [3, 3] }, (pen) =>
       chart.line(pen, 0, 0, apex.x * unit, apex.y * unit),
     );
-    const { direction } = this.places(scene);
+    const places = this.places(scene);
     painter.stroke({ color: colors.shot, width: 2.4 }, (pen) => {
       pen.moveTo(chart.x(0), chart.y(0));
-      pen.lineTo(...direction);
+      pen.lineTo(...places.direction);
     });
-    painter.fill(colors.locus, 1, (pen) => chart.dot(pen, apex.x * unit, apex.y * unit, 6));
+    chart.knob(painter, places.direction, 8.5, colors.paper, colors.shot);
+    chart.knob(painter, places.apex, 8.5, colors.locus, colors.paper);
     if (time > 0) {
-      painter.fill(colors.shot, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 6));
-      painter.fill(colors.paper, 1, (pen) => chart.dot(pen, position.x * unit, position.y * unit, 2.5));
+      chart.knob(painter, [chart.x(position.x * unit), chart.y(position.y * unit)], 6, colors.paper, colors.shot, 3.5);
     }
   }
 
-  #comb(painter: Painter, { locus, scales }: Scene, stroke: Stroke): void {
+  #strokes(): Record<"locus" | "fan" | "dragFree" | "envelope" | "circle" | "comb" | "ghost", Stroke> {
+    const { colors } = this.chart;
+    return {
+      locus: { color: colors.locus, width: 2.6 },
+      fan: { color: colors.ink, width: 0.8, opacity: 0.45 },
+      dragFree: { color: colors.ellipse, width: 1.8, dash: DASHES.ellipse },
+      envelope: { color: colors.envelope, width: 1.8, dash: DASHES.envelope },
+      circle: { color: colors.circle, width: 1.8, dash: DASHES.circle },
+      comb: { color: colors.comb, width: 1 },
+      ghost: { color: colors.ghost, width: 2, dash: DASHES.ghost },
+    };
+  }
+
+  #comb(painter: Painter, { state, locus, scales }: Scene, stroke: Stroke): void {
     const { chart } = this;
     const unit = scales.length / this.#metres;
     const { x, y, curvature } = locus;
     // The longest tooth takes a fifth of the plot.
     const greatest = curvature.reduce((most, value) => Math.max(most, value), 0);
     const pixelsPerCurvature = (0.2 * chart.plot.height) / greatest;
-    painter.stroke(stroke, (pen) => {
+    const comb = (pen: Pen, side: number): void => {
       const tips: [number, number][] = [];
       for (let tooth = 0; tooth <= TEETH; tooth += 1) {
         const index = Math.round((tooth / TEETH) * (x.length - 1));
         const [before, after] = [Math.max(0, index - 1), Math.min(x.length - 1, index + 1)];
         // Outwards: to the right of the way from the launcher to the top.
         const [dx, dy] = [x[after] - x[before], y[after] - y[before]];
-        const length = Math.hypot(dx, dy) || 1;
-        const size = curvature[index] * pixelsPerCurvature;
-        const [px, py] = [chart.x(x[index] * unit), chart.y(y[index] * unit)];
-        const tip: [number, number] = [px + (dy / length) * size, py + (dx / length) * size];
+        const size = (curvature[index] * pixelsPerCurvature) / (Math.hypot(dx, dy) || 1);
+        const [px, py] = [chart.x(side * x[index] * unit), chart.y(y[index] * unit)];
+        const tip: [number, number] = [px + side * dy * size, py + dx * size];
         pen.moveTo(px, py);
         pen.lineTo(...tip);
         tips.push(tip);
       }
       tips.forEach((tip, index) => (index ? pen.lineTo(...tip) : pen.moveTo(...tip)));
+    };
+    painter.stroke(stroke, (pen) => {
+      comb(pen, 1);
+      if (state.sides === "both") comb(pen, -1);
     });
   }
 

@@ -53,12 +53,29 @@ describe("flights", () => {
   it.each([0, 0.1, 10, 1e4])("rise to their apexes and come down, ε = %f", (epsilon) => {
     const fan = model.fan(epsilon);
     FAN_ANGLES.forEach((angle, shot) => {
-      const [from, to] = [shot * fan.samples, (shot + 1) * fan.samples];
-      const heights = fan.y.slice(from, to);
+      const from = shot * fan.stride;
+      const heights = fan.y.slice(from, from + fan.counts[shot]);
       const apex = model.shots.apex(radians(angle), epsilon);
-      expect(Math.max(...heights)).toBeCloseTo(apex.y, 12);
+      expect(1 - Math.max(...heights) / apex.y).toBeLessThan(2e-4); // A hundredth of a pixel.
       expect(heights[0]).toBe(0);
-      expect(Math.abs(heights[heights.length - 1])).toBeLessThan(1e-12);
+      expect(heights[heights.length - 1]).toBe(0);
+      expect(fan.x[from + fan.counts[shot] - 1]).toBe(model.shots.range(radians(angle), epsilon));
+    });
+  });
+
+  it.each([0, 0.1, 10, 1e4])("are in the fan what they are alone, ε = %f", (epsilon) => {
+    const fan = model.fan(epsilon);
+    FAN_ANGLES.forEach((angle, shot) => {
+      const whole = model.shot(at(epsilon, angle));
+      expect(whole.x).toHaveLength(2000);
+      const [x, y] = [fan.x, fan.y].map((all) => all.subarray(shot * fan.stride, shot * fan.stride + fan.counts[shot]));
+      // Each point of the fan's line lies on the shot's own, up to its chords.
+      const size = Math.max(...whole.x, ...whole.y);
+      for (let index = 0; index < x.length; index += 97) {
+        let nearest = Infinity;
+        for (let k = 0; k < 2000; k += 1) nearest = Math.min(nearest, Math.hypot(whole.x[k] - x[index], whole.y[k] - y[index]));
+        expect(nearest / size).toBeLessThan(2e-3);
+      }
     });
   });
 
@@ -111,8 +128,11 @@ describe("named angles", () => {
     epsilons.forEach((_, index) => expect(degrees(angles[name][index])).toBeCloseTo(known[name][index], 7));
   });
 
-  it("stay in order from weak to overwhelming drag", () => {
-    const { angles: curves } = model.namedCurves();
+  it("stay in order from weak to overwhelming drag, at 2000 points", () => {
+    const { namedCurves } = model;
+    while (!namedCurves.complete) namedCurves.advance();
+    expect(namedCurves.decades).toHaveLength(2000);
+    const { angles: curves } = namedCurves;
     for (const name of Object.keys(NAMED) as NamedAngle[]) {
       const values = curves[name];
       expect(values.every((angle, index) => index === 0 || angle < values[index - 1])).toBe(true);

@@ -28,13 +28,33 @@ describe("a state that cannot be shown", () => {
     [{ dragKind: "terminal_speed", drag: 0 }, "terminal speed must be above 0, got 0"],
     [{ dragKind: "terminal_speed", drag: 5e-324 }, "epsilon, from this terminal speed, must be at least 0 and finite, got Infinity"],
     [{ speed: 1e200 }, "length scale speed²/gravity must be above 0 and finite, got Infinity"],
-    [{ angle: 90.5 }, "angle must be from 0 to 90 degrees, got 90.5"],
+    [{ angle: 180.5 }, "angle must be from 0 to 180 degrees, got 180.5"],
     [{ compare: [1, -2] }, "compared epsilon must be at least 0 and finite, got -2"],
     [{ compare: [1, 2, 3, 4, 5] }, "at most 4 other epsilons can be compared, got 5"],
   ])("%j is refused", (part, sentence) => {
     const store = new Store(INITIAL);
     expect(store.change(part)).toBe(sentence);
     expect(store.state).toBe(INITIAL);
+  });
+});
+
+describe("a shot to the left", () => {
+  it("shows both sides, and keeps them", () => {
+    const store = new Store(INITIAL);
+    store.change({ angle: 120 });
+    expect(store.state).toMatchObject({ angle: 120, sides: "both" });
+    store.change({ angle: 60 });
+    expect(store.state.sides).toBe("both");
+  });
+
+  it("turns to the right where only that is wanted", () => {
+    const store = new Store({ ...INITIAL, angle: 120, sides: "both" });
+    store.change({ sides: "right" });
+    expect(store.state).toMatchObject({ angle: 60, sides: "right" });
+  });
+
+  it.each(["#angle=120", "#angle=120&sides=right", "#sides=right&angle=120"])("comes from %s", (hash) => {
+    expect(fromHash(hash)).toEqual({ state: { ...INITIAL, angle: 120, sides: "both" }, messages: [] });
   });
 });
 
@@ -62,6 +82,7 @@ describe("the address", () => {
       layers: [],
       curvatureBy: "elevation",
       frame: "fit",
+      sides: "both",
       theme: "dark",
     },
   ];
