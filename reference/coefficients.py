@@ -145,6 +145,8 @@ FITS = {
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
+    "principal_close_tail": Fit(branch_tail(0), 0, mp.mpf("0.2001"), 8, lambda p: abs(p) ** 3),
+    "lower_close_tail": Fit(branch_tail(-1), mp.mpf("-0.2001"), 0, 8, lambda p: abs(p) ** 3),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
 

@@ -45,6 +45,32 @@ const LOWER_TAIL: [f64; 16] = [
     -0.01280549488434036,
     -0.00426457336092254,
 ];
+// principal_close_tail: minimax on [0.0, 0.2001], degree 8,
+// weighted error 7.79e-19: reference/coefficients.py principal_close_tail
+const PRINCIPAL_CLOSE_TAIL: [f64; 9] = [
+    0.15277777777635124,
+    -0.07962962947732126,
+    0.044502308147112445,
+    -0.02598455518269656,
+    0.015633296380067645,
+    -0.009594987927175157,
+    0.005881198556654492,
+    -0.0032929685042583155,
+    0.0012196509634809579,
+];
+// lower_close_tail: minimax on [-0.2001, 0.0], degree 8,
+// weighted error 3.7e-18: reference/coefficients.py lower_close_tail
+const LOWER_CLOSE_TAIL: [f64; 9] = [
+    0.15277777778451707,
+    -0.07962962892779533,
+    0.04450234466768368,
+    -0.025984024342471483,
+    0.015645297503840194,
+    -0.0095315249601162,
+    0.006490822014859727,
+    -0.0022058820191658227,
+    0.005297550749907034,
+];
 
 /// 1/e. The nearest double is greater: what counts as the branch point lies just outside.
 pub(super) const INVERSE_E: DoubleDouble =
@@ -100,16 +126,20 @@ pub(super) fn at_offset(offset: f64) -> DoubleDouble {
     fast_two_sum(z.hi, z.lo - INVERSE_E.lo)
 }
 
-/// `W₀(−1/e + δ)` for δ up to CLOSE; −1 for δ ≤ 0.
+/// `2eδ`, which is p²; 0 for δ ≤ 0.
 #[inline(always)]
-pub(super) fn principal_close(offset: f64) -> f64 {
-    let p = sqrt(TWO_E.hi * select(offset > 0.0, offset, 0.0));
-    (p - p * p * (THIRD.hi - p * polynomial(p, &PRINCIPAL_TAIL))) - 1.0
+pub(super) fn square(offset: f64) -> f64 {
+    TWO_E.hi * select(offset > 0.0, offset, 0.0)
 }
 
-/// `W₋₁(−1/e + δ)` for δ up to CLOSE; −1 for δ ≤ 0.
+/// W₀ by p in [0, 1/5].
 #[inline(always)]
-pub(super) fn lower_close(offset: f64) -> f64 {
-    let p = -sqrt(TWO_E.hi * select(offset > 0.0, offset, 0.0));
-    (p - p * p * (THIRD.hi - p * polynomial(p, &LOWER_TAIL))) - 1.0
+pub(super) fn principal_close(p: f64) -> f64 {
+    (p - p * p * (THIRD.hi - p * polynomial(p, &PRINCIPAL_CLOSE_TAIL))) - 1.0
+}
+
+/// W₋₁ by p in [−1/5, 0].
+#[inline(always)]
+pub(super) fn lower_close(p: f64) -> f64 {
+    (p - p * p * (THIRD.hi - p * polynomial(p, &LOWER_CLOSE_TAIL))) - 1.0
 }

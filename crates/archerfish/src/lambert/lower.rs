@@ -5,7 +5,7 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{polynomial, select, sqrt};
-use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near};
+use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near, square};
 use super::step::{correction, one_plus_corrected, rough_ln};
 
 // lower_start: 0.71 of the error that can be borne: reference/coefficients.py lower_start
@@ -17,13 +17,18 @@ const LOWER_START_BOTTOM: [f64; 5] =
 /// z is as small as 2⁻¹⁰⁷⁴ where e^{−w} is as great as 2¹⁰⁷⁵.
 const LIFT: f64 = 64.0;
 
-/// W₋₁ to few digits, for z in [−0.3606, −5e-324].
+/// η² for z in [−0.3606, −5e-324], to few digits.
 #[inline(always)]
-fn start(z: f64) -> f64 {
+fn eta_square(z: f64) -> f64 {
     let subnormal = z > -f64::MIN_POSITIVE;
     let scaled = select(subnormal, z * -18014398509481984.0, -z); // 2⁵⁴
     let logarithm = rough_ln(scaled) - select(subnormal, 54.0 * core::f64::consts::LN_2, 0.0);
-    let eta = sqrt(-2.0 * (1.0 + logarithm));
+    -2.0 * (1.0 + logarithm)
+}
+
+/// W₋₁ to few digits, given η.
+#[inline(always)]
+fn start(eta: f64) -> f64 {
     let quotient = polynomial(eta, &LOWER_START_TOP) / polynomial(eta, &LOWER_START_BOTTOM);
     -(1.0 + eta * quotient)
 }
@@ -35,9 +40,12 @@ fn start(z: f64) -> f64 {
 #[inline(always)]
 pub fn lambertwm1(z: f64) -> f64 {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
-    let w = start(z);
+    let close = offset < CLOSE;
+    // one square root for −p or η
+    let root = sqrt(select(close, square(offset), eta_square(z)));
+    let w = start(root);
     let far = w + correction(DoubleDouble::from(z), w, LIFT);
-    let regular = select(offset < CLOSE, lower_close(offset), far);
+    let regular = select(close, lower_close(-root), far);
     let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
     select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
 }
@@ -49,7 +57,7 @@ pub fn lambertwm1(z: f64) -> f64 {
 pub fn lambertwm1_offset(d: f64) -> f64 {
     let near = lower_near(DoubleDouble::from(d));
     let z = at_offset(d);
-    let far = one_plus_corrected(z, start(z.hi), LIFT);
+    let far = one_plus_corrected(z, start(sqrt(eta_square(z.hi))), LIFT);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
     select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)

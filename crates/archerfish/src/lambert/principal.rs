@@ -5,7 +5,7 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{polynomial, select, sqrt};
-use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near};
+use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near, square};
 use super::step::{correction, one_plus_corrected, rough_ln_1p};
 
 // principal_start: 0.18 of the error that can be borne: reference/coefficients.py principal_start
@@ -33,11 +33,9 @@ const PRINCIPAL_START_BOTTOM: [f64; 8] = [
 /// −ln(1 − 1/e)
 const END: f64 = 0.45867514538708193;
 
-/// W₀ to few digits, for z ≥ −0.3606.
+/// W₀ to few digits, for z ≥ −0.3606, given ln(1+z) and y.
 #[inline(always)]
-fn start(z: f64) -> f64 {
-    let logarithm = rough_ln_1p(z);
-    let y = sqrt(logarithm + END);
+fn start(logarithm: f64, y: f64) -> f64 {
     let quotient = polynomial(y, &PRINCIPAL_START_TOP) / polynomial(y, &PRINCIPAL_START_BOTTOM);
     logarithm * quotient
 }
@@ -48,9 +46,13 @@ fn start(z: f64) -> f64 {
 #[inline(always)]
 pub fn lambertw0(z: f64) -> f64 {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
-    let w = start(z);
+    let close = offset < CLOSE;
+    let logarithm = rough_ln_1p(z);
+    // one square root for p or y
+    let root = sqrt(select(close, square(offset), logarithm + END));
+    let w = start(logarithm, root);
     let far = w + correction(DoubleDouble::from(z), w, 0.0);
-    let regular = select(offset < CLOSE, principal_close(offset), far);
+    let regular = select(close, principal_close(root), far);
     let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
     select(z >= -INVERSE_E.hi, regular, f64::NAN)
 }
@@ -62,7 +64,8 @@ pub fn lambertw0(z: f64) -> f64 {
 pub fn lambertw0_offset(d: f64) -> f64 {
     let near = principal_near(DoubleDouble::from(d));
     let z = at_offset(d);
-    let far = one_plus_corrected(z, start(z.hi), 0.0);
+    let logarithm = rough_ln_1p(z.hi);
+    let far = one_plus_corrected(z, start(logarithm, sqrt(logarithm + END)), 0.0);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == f64::INFINITY, d, regular);
     select(d >= 0.0, regular, f64::NAN)

@@ -6,9 +6,7 @@
 //! sum of two doubles; everything after it is small and needs few digits.
 
 use super::super::real::double_double::{DoubleDouble, two_sum};
-use super::super::real::{
-    Exponential, exponent_and_significand, polynomial, power_of_two, select,
-};
+use super::super::real::{Exponential, exponent_and_significand, polynomial, power_of_two, select};
 
 // rough_log: minimax on [-0.293, 0.4143], degree 7,
 // weighted error 1.71e-7: reference/coefficients.py rough_log

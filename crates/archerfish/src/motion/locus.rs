@@ -10,7 +10,7 @@
 //! β leaves an error far below the last digit, and θ + β is rounded once.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::super::real::{polynomial, select, sin_cos_upper, sin_cos_reduced, sqrt};
+use super::super::real::{polynomial, select, sin_cos_reduced, sin_cos_upper, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 

@@ -78,7 +78,9 @@ pub fn exp(x: f64) -> f64 {
     let exponential = Exponential::of(clamp(x));
     let half = nearest_integer(0.5 * exponential.n);
     // in two steps: neither overflows before the result does, and a subnormal is rounded once
-    exponential.loose_significand().round() * power_of_two(half) * power_of_two(exponential.n - half)
+    exponential.loose_significand().round()
+        * power_of_two(half)
+        * power_of_two(exponential.n - half)
 }
 
 /// `eˣ − 1`.
