@@ -5,7 +5,7 @@
 //! as a sum of two doubles.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::super::real::{polynomial, select, sqrt};
+use super::super::real::{polynomial, select};
 
 // principal_tail: minimax on [0.0, 0.501], degree 13,
 // weighted error 3.58e-18: reference/coefficients.py principal_tail

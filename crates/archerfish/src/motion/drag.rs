@@ -12,7 +12,7 @@
 //! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
 use super::super::real::double_double::{DoubleDouble, Number};
-use super::super::real::{LN2_HI, LN2_LO, exponent_and_mantissa, polynomial, power_of_two, select};
+use super::super::real::{LN2_HI, LN2_LO, polynomial, power_and_inverse};
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
 // weighted error 1.36e-18: reference/coefficients.py artanh_tail
@@ -55,35 +55,41 @@ impl<T: Number> Drag<T> {
         let number = T::from_double;
         // u as T holds it, everywhere: a hardly depends on u, but its parts must agree on one
         let u = T::from_sum(u.hi, u.lo);
-        let q = u.plus_exactly(1.0);
-        let (k, m) = exponent_and_mantissa(q.hi);
-        // beyond 2¹⁰⁰⁰ the power would not be normal; the rest is nothing, and τ is 1
-        let power = power_of_two(-select(k > 1000.0, 1000.0, k));
-        let low = q.lo * power;
-        let f = T::from_sum(m - 1.0, low);
+        let (k, power) = power_and_inverse(1.0 + u.leading());
+        let direct = k == 0.0;
+        // exact, as 2ᵏ − 1 ≤ u < 2ᵏ⁺¹ − 1
+        let f = u.less_exactly(power.0 - 1.0).scaled(power.1);
         let s = f / (number(2.0) + f);
         let square = s * s;
         let z = square.nearest();
         let tail = z * polynomial(z, &ARTANH_TAIL);
         let rho_s = T::from_sum(THIRD.hi, tail) + number(THIRD.lo);
 
-        let denominator = number(2.0) + u;
-        let inverse = number(1.0) / denominator;
-        let (sigma, sigma_rest) = (u * inverse, inverse.scaled(2.0));
+        // with p = 2⁻ᵏ, C = 1 + p, A = C + f = p(2 + u), D = 1 − p + f = p u, by one division:
+        // I = 1/D² and W = 1/(CA), so that τ = 1 − 2pAW, σ = CDW
+        let (sum, rest) = (T::from_sum(1.0, power.1), T::from_sum(1.0, -power.1));
+        let (a, d) = (sum + f, rest + f);
+        let d_square = T::either(direct, number(1.0), d * d);
+        let product = sum * a;
+        let inverse = number(1.0) / (product * d_square);
+        let (w, i) = (d_square * inverse, product * inverse);
+        let dw = d * w;
+        let p_double = 2.0 * power.1;
+        let sigma = T::either(direct, s, sum * dw);
+        let sigma_rest = T::either(direct, number(1.0) - s, (sum * w).scaled(p_double));
 
-        let tau = (number(1.0) - number(power)) / (number(1.0) + number(power));
         let half_k = number(0.5 * k);
-        let first = (half_k * number(LN2_HI) - tau) + half_k * number(LN2_LO);
+        let first = (half_k * number(LN2_HI) - number(1.0)) + half_k * number(LN2_LO);
+        let first = first + (a * w).scaled(p_double);
         let first = T::either(k == 2.0, T::from_pair(FIRST_EXCESSES[1]), first);
         let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESSES[0]), first);
-        let excess = first + (square * s * rho_s + tau * s * sigma);
+        let excess = first + (square * s * rho_s + rest * dw * s);
 
-        // a = 2 (artanh σ − σ)(2 + u)/u², which is (1 − σ)(artanh σ − σ)/σ², and ρ = a/(σ(1 − σ))
-        let over = number(1.0) / u;
-        let ratio = denominator * over;
-        let above = (excess * ratio * over).scaled(2.0);
-        let rho = T::either(k == 0.0, rho_s, excess * ratio * ratio * ratio);
-        Drag { sigma, sigma_rest, rho, a: T::either(k == 0.0, sigma * sigma_rest * rho_s, above) }
+        // a = 2 (artanh σ − σ)(2 + u)/u² = 2pA (artanh σ − σ)/D², and ρ = (artanh σ − σ)/σ³
+        let ratio = a * d * i;
+        let above = (a * excess * i).scaled(p_double);
+        let rho = T::either(direct, rho_s, excess * ratio * ratio * ratio);
+        Drag { sigma, sigma_rest, rho, a: T::either(direct, sigma * sigma_rest * rho_s, above) }
     }
 
     /// `1 − a`

@@ -244,8 +244,10 @@ pub(crate) trait Number:
     fn nearest(self) -> f64;
     /// `self * factor`, a power of two.
     fn scaled(self, factor: f64) -> Self;
-    /// `self + a` in two doubles, whatever the type.
-    fn plus_exactly(self, a: f64) -> DoubleDouble;
+    /// The greater of the parts.
+    fn leading(self) -> f64;
+    /// `self - a`, where the difference of the leading parts is exact.
+    fn less_exactly(self, a: f64) -> Self;
     /// `a` where the condition holds, else `b`.
     fn either(condition: bool, a: Self, b: Self) -> Self;
 }
@@ -272,8 +274,12 @@ impl Number for f64 {
         self * factor
     }
     #[inline(always)]
-    fn plus_exactly(self, a: f64) -> DoubleDouble {
-        two_sum(a, self)
+    fn leading(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn less_exactly(self, a: f64) -> Self {
+        self - a
     }
     #[inline(always)]
     fn either(condition: bool, a: Self, b: Self) -> Self {
@@ -303,8 +309,12 @@ impl Number for DoubleDouble {
         self.scale(factor)
     }
     #[inline(always)]
-    fn plus_exactly(self, a: f64) -> DoubleDouble {
-        self.add_double(a)
+    fn leading(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
+    fn less_exactly(self, a: f64) -> Self {
+        fast_two_sum(self.hi - a, self.lo)
     }
     #[inline(always)]
     fn either(condition: bool, a: Self, b: Self) -> Self {

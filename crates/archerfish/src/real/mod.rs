@@ -65,11 +65,14 @@ pub(crate) fn exponent_and_significand(w: f64) -> (f64, f64) {
     (k, m)
 }
 
-/// `(k, m)` with `w = 2ᵏ m` and m in [1, 2), for a positive normal w.
+/// `(k, (2ᵏ, 2⁻ᵏ))` with 2ᵏ ≤ w < 2ᵏ⁺¹, for w ≥ 1; for w ≥ 2¹⁰²³ the last is 0.
 #[inline(always)]
-pub(crate) fn exponent_and_mantissa(w: f64) -> (f64, f64) {
-    const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
-    (exponent_field(w), f64::from_bits((w.to_bits() & FRACTION) | 1.0f64.to_bits()))
+pub(crate) fn power_and_inverse(w: f64) -> (f64, (f64, f64)) {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    const TWICE_BIAS: u64 = 2046 << 52;
+    let power = w.to_bits() & EXPONENT;
+    let inverse = f64::from_bits(TWICE_BIAS.wrapping_sub(power));
+    (exponent_field(w), (f64::from_bits(power), inverse))
 }
 
 /// The exponent that the bits of a positive normal number hold, as a double.
