@@ -119,7 +119,7 @@ class Arc(Value):
 
     @cached_property
     def angle_gradient(self) -> AngleGradient:
-        """Derivatives of `angle` by speed, drag rate and gravity, the target staying hit.
+        """Derivatives of `angle` by speed, drag rate, gravity and target, which stays hit.
 
         >>> from archerfish import Launcher
         >>> low = Launcher(10.0, epsilon=0.1).aim(6.0, 2.0).low
@@ -128,7 +128,7 @@ class Arc(Value):
         """
         from archerfish.gradients import angle_gradient
 
-        return angle_gradient(self.shot, self.time)
+        return angle_gradient(self.shot, self.target, self.time)
 
 
 @dataclass(frozen=True, eq=False)
@@ -302,7 +302,8 @@ def _direction(plane: _Plane, angle: FloatArray, in_space: bool) -> tuple[FloatA
     if in_space:
         return np.arctan2(y, np.hypot(x, z)), np.arctan2(z, x)
     elevation = np.arctan2(y, x)
-    upright = (plane.up[1] == 1) & (plane.forward[0] == 1)
+    # A tilt below 1e-8 leaves the cosine at 1: the sine must say that there is none.
+    upright = (plane.up[0] == 0) & (plane.up[1] == 1) & (plane.forward[0] == 1)
     return np.where(upright, angle, elevation), np.zeros(np.shape(elevation))
 
 

@@ -7,23 +7,29 @@ The place r(t) = V D(t) + a F(t) has the partial derivatives, at fixed time,
 and those of anything that happens when a condition holds (landing: y = ground; apex: ẏ = 0; a hit:
 r = target) follow by implicit differentiation. Nothing is differenced. Speed, angle, drag rate and
 gravity are the independent variables, however the launcher's drag was given.
+
+Accuracy: a few units of the last digit, times the condition of the derivative, which is how many
+units it changes for one in each input. That is large next to where a derivative vanishes (the
+range's by angle at the best angle) and where the arcs to a target meet, on the envelope.
+In wind an aim's angle is right to a rounding of 1, not of itself, and so are its derivatives.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from archerfish.kinematics import array, drift, fall
+from archerfish.quadrature import gauss_legendre
 from archerfish.shot import record
 from archerfish.values import Quantity, Value, frozen
 from archerfish.zeros import FloatArray
 
 if TYPE_CHECKING:
-    from archerfish.shot import Shot
+    from archerfish.shot import Shot, Vector
 
 INPUTS = ("speed", "angle", "drag_rate", "gravity")
 OUTPUTS = ("range", "flight_time", "apex_x", "apex_y", "apex_time")
@@ -31,7 +37,10 @@ OUTPUTS = ("range", "flight_time", "apex_x", "apex_y", "apex_time")
 #: In place of the launch angle 0 over level ground, where the flight is over as it begins: the
 #: derivatives are the limits, and the quotients that give them stay defined.
 _FLATTEST = 1e-150
-_NODES = 16
+#: Cosine of a launch angle below which the target says how fast the shot is across.
+_STEEP = 0.1
+#: The bt from which on closed forms keep their digits.
+_FAR = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +58,17 @@ class Partials(Value):
 
 @dataclass(frozen=True, eq=False)
 class AngleGradient(Value):
-    """Derivatives of the launch angle that hits a target: by speed, drag rate and gravity."""
+    """Derivatives of the launch angle that hits a target, in radians over the input's unit.
+
+    By `speed` (m/s), `drag_rate` (1/s), `gravity` (m/s²) and the target's `x`, `y`, `z` (m).
+    """
 
     speed: Quantity
     drag_rate: Quantity
     gravity: Quantity
+    x: Quantity
+    y: Quantity
+    z: Quantity
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +102,6 @@ class _Change(NamedTuple):
 
     x: FloatArray
     y: FloatArray
-    z: FloatArray
     vy: FloatArray
 
 
@@ -102,10 +116,10 @@ def shot_gradients(shot: Shot) -> ShotGradients:
     with np.errstate(all="ignore"):
         pull = shot._pull[1]
         time = array(shot.flight_time)
-        vx, vy, _ = shot._motion(time)
-        at_landing = _changes(shot, time)
-        landing_time = {name: -at.y / vy for name, at in at_landing.items()}
-        landing_x = {name: at.x + vx * landing_time[name] for name, at in at_landing.items()}
+        _, vy, _ = shot._motion(time)
+        landing_time = {name: -at.y / vy for name, at in _changes(shot, time).items()}
+        landing_time["drag_rate"] = -_sag(shot, time) / vy
+        landing_x = {name: -turned / vy for name, turned in _turned(shot, time, (1.0, 0.0)).items()}
 
         time = array(shot.apex.time)
         vx, _, _ = shot._motion(time)
@@ -122,23 +136,28 @@ def shot_gradients(shot: Shot) -> ShotGradients:
     )
 
 
-def angle_gradient(shot: Shot, time: npt.ArrayLike) -> AngleGradient:
-    """Derivatives of the launch angle of `shot`, which must go on hitting where it is at `time`.
+def angle_gradient(shot: Shot, target: Vector, time: npt.ArrayLike) -> AngleGradient:
+    """Derivatives of the launch angle of `shot`, which must go on hitting `target`, at `time`.
 
     The azimuth adjusts itself. Infinite on the envelope, where the two arcs meet.
     """
+    time = array(time)
+    bearing = np.cos(shot.azimuth), np.sin(shot.azimuth)
     with np.errstate(all="ignore"):
-        vx, vy, vz = shot._motion(time)
-        right = (-np.sin(shot.azimuth), np.cos(shot.azimuth))
-
-        def turned(at: _Change) -> FloatArray:
-            """det(v, change, right), where right is the direction of a change of azimuth."""
-            along, forward = at.x * right[1] - at.z * right[0], vx * right[1] - vz * right[0]
-            return np.asarray(vy * along - forward * at.y)
-
-        changes = _changes(shot, array(time))
-        by_angle = turned(changes.pop("angle"))
-        slopes = {name: -turned(at) / by_angle for name, at in changes.items()}
+        # Next to the vertical the angle is rounded in digits that its cosine needs: there the
+        # target says how fast the shot is across.
+        across = _along(bearing, array(target.x), array(target.z))
+        moved, fallen = drift(time, shot._drag), fall(time, shot._drag)
+        level = (across - _along(bearing, shot._pull[0], shot._pull[2]) * fallen) / moved
+        cosine = np.cos(shot.angle)
+        level = np.where(np.abs(cosine) < _STEEP, level, array(shot.launcher.speed) * cosine)
+        turned = _turned(shot, time, bearing, level)
+        by_angle = turned.pop("angle")
+        decay = np.exp(-shot._drag * time)
+        forward = level * decay + _along(bearing, shot._pull[0], shot._pull[2]) * moved
+        rising = shot._motion(time)[1]
+        turned |= {"x": rising * bearing[0], "y": -forward, "z": rising * bearing[1]}
+        slopes = {name: -each / by_angle for name, each in turned.items()}
     return record(AngleGradient, **slopes)
 
 
@@ -191,7 +210,7 @@ def _changes(shot: Shot, time: FloatArray) -> dict[str, _Change]:
     drag, speed = shot._drag, array(shot.launcher.speed)
     launch, pull, wind = shot._launch, shot._pull, shot.wind
     sine, cosine = np.sin(shot.angle), np.cos(shot.angle)
-    bearing = np.cos(shot.azimuth), np.sin(shot.azimuth)
+    bearing = np.cos(shot.azimuth)
     decay, moved, fallen = np.exp(-drag * time), drift(time, drag), fall(time, drag)
     first, second = _moments(time, drag)
     zero = np.zeros(np.shape(moved))
@@ -200,23 +219,81 @@ def _changes(shot: Shot, time: FloatArray) -> dict[str, _Change]:
         return np.asarray(wind * fallen - v * first - a * second)
 
     return {
-        "speed": _Change(
-            cosine * bearing[0] * moved, sine * moved, cosine * bearing[1] * moved, sine * decay
-        ),
+        "speed": _Change(cosine * bearing * moved, sine * moved, sine * decay),
         "angle": _Change(
-            -speed * sine * bearing[0] * moved,
-            speed * cosine * moved,
-            -speed * sine * bearing[1] * moved,
-            speed * cosine * decay,
+            -speed * sine * bearing * moved, speed * cosine * moved, speed * cosine * decay
         ),
         "drag_rate": _Change(
             along(wind.x, launch[0], pull[0]),
             along(wind.y, launch[1], pull[1]),
-            along(wind.z, launch[2], pull[2]),
             wind.y * moved - launch[1] * time * decay - pull[1] * first,
         ),
-        "gravity": _Change(zero, -fallen, zero, -moved),
+        "gravity": _Change(zero, -fallen, -moved),
     }
+
+
+def _sag(shot: Shot, time: FloatArray) -> FloatArray:
+    """∂y/∂b at the time of landing, where V D + a F is the ground's height over the launch.
+
+    That takes the launch velocity out of −V ∫τe − a ∫(t − τ)τe, whose two terms agree to many
+    digits for strong drag. What is left of them, F ∫τe − D ∫(t − τ)τe, is ((1 − e)² − (bt)²e)/b⁴.
+    """
+    drag = shot._drag
+    drop, (first, _) = array(shot.height) - array(shot.ground), _moments(time, drag)
+    w, decay, moved = drag * time, np.exp(-drag * time), drift(time, drag)
+    tail = _tail(w / 2)
+    near = decay * tail * (2 + w * w / 4 * tail) / 4 * time**4
+    far = ((moved * drag) ** 2 - w * w * decay) / drag / drag / drag / drag
+    left = np.where(w > _FAR, far, near)
+    sag = (drop * first + shot._pull[1] * left) / moved
+    return np.asarray(sag + shot.wind.y * fall(time, drag))
+
+
+def _along(direction: tuple[Any, Any], x: FloatArray, z: FloatArray) -> FloatArray:
+    """The component of a vector along a horizontal direction."""
+    return np.asarray(x * direction[0] + z * direction[1])
+
+
+def _turned(
+    shot: Shot, time: FloatArray, direction: tuple[Any, Any], level: FloatArray | None = None
+) -> dict[str, FloatArray]:
+    """v × ∂r by each input, in the vertical plane of `direction`: how far ∂r leads off the path.
+
+    `level` is the launch velocity along `direction`. With v = V e^{−bt} + a D and ∂r made of V and
+    a as well, all is V × a times a sum of positive terms; what cancels is left out by hand, as it
+    would leave nothing of a fast shot.
+    """
+    drag, speed = shot._drag, array(shot.launcher.speed)
+    sine, cosine = np.sin(shot.angle), np.cos(shot.angle)
+    share = _along(direction, np.cos(shot.azimuth), np.sin(shot.azimuth))
+    rise = shot._launch[1]
+    level = speed * cosine * share if level is None else level
+    pull, lift = _along(direction, shot._pull[0], shot._pull[2]), shot._pull[1]
+    wind, updraft = _along(direction, array(shot.wind.x), array(shot.wind.z)), array(shot.wind.y)
+    w, decay = drag * time, np.exp(-drag * time)
+    moved, fallen = drift(time, drag), fall(time, drag)
+    forward, rising = level * decay + pull * moved, rise * decay + lift * moved
+    bent = level * lift - rise * pull
+    # D ∫τe − e ∫(t − τ)τe is (1 − 2bt e − e²)/b³.
+    near = 2 * decay * _tail(w) * time**3
+    far = (1 - 2 * w * decay - decay * decay) / drag / drag / drag
+    return {
+        "speed": -bent * moved * moved / speed,
+        "angle": speed
+        * moved
+        * (speed * decay * share + moved * (pull * cosine + lift * sine * share)),
+        "drag_rate": bent * np.where(w > _FAR, far, near)
+        + fallen * (forward * updraft - rising * wind),
+        "gravity": -fallen * forward,
+    }
+
+
+def _tail(w: FloatArray) -> FloatArray:
+    """(sinh w − w)/w³ = ½ ∫₀¹ (1 − x)² cosh(wx) dx for w up to `_FAR`, where 16 nodes are exact."""
+    nodes, weights = gauss_legendre()
+    share, weight = 0.5 * (1 + nodes), 0.25 * weights
+    near = np.minimum(w, _FAR)[..., np.newaxis]
+    return np.asarray(np.cosh(near * share) @ (weight * (1 - share) ** 2))
 
 
 def _moments(time: FloatArray, drag: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -224,14 +301,14 @@ def _moments(time: FloatArray, drag: FloatArray) -> tuple[FloatArray, FloatArray
 
     In closed form both lose the digits of small bt; there 16 Gauss nodes are exact.
     """
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    nodes, weights = gauss_legendre()
     share, weight = 0.5 * (1 + nodes), 0.5 * weights
     w = drag * time
-    near = np.minimum(w, 3.0)[..., np.newaxis]
+    near = np.minimum(w, _FAR)[..., np.newaxis]
     decays = np.exp(-near * share)
     first = decays @ (weight * share)
     second = decays @ (weight * share * (1 - share))
-    far, decay = w > 3, np.exp(-w)
+    far, decay = w > _FAR, np.exp(-w)
     # Where w is huge, its powers overflow before the quotient does not matter.
     first = np.where(far, (1 - (1 + w) * decay) / w / w, first)
     second = np.where(far, (w - 2 + (w + 2) * decay) / w / w / w, second)

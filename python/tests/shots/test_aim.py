@@ -61,8 +61,9 @@ def test_in_any_wind_in_space():
     assert np.all((least <= launcher.speed) == hit)
 
 
-def test_in_the_plane_the_wind_leaves_the_shot_there():
-    launcher = Launcher(25.0, drag_rate=0.4)
+@pytest.mark.parametrize("drag_rate", [0.4, 1e-9])  # so weak a drag tilts gravity by 1e-9
+def test_in_the_plane_the_wind_leaves_the_shot_there(drag_rate):
+    launcher = Launcher(25.0, drag_rate=drag_rate)
     arcs = launcher.aim(20.0, 3.0, wind=(-6.0, 1.0), height=1.0)
     assert isinstance(arcs, Aim)
     assert (arcs.low.azimuth, arcs.high.azimuth) == (0.0, 0.0)
