@@ -341,6 +341,8 @@ ndarray or scalar
     The shape is that of the inputs, broadcast together; float32 if every input is
     float32 or narrower (computed in double precision, then rounded), else float64.
     NaN, with NumPy's `invalid` warning, outside the domain; a NaN passes quietly.
+    A float32 is the number it is: the one nearest π lies above π, the one nearest -1/e
+    below -1/e, outside the domain both.
 
 Source
 ------

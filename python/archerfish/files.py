@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
+import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
+
+#: Somebody may write: where nobody may, not even the superuser's command replaces a file.
+_WRITABLE = stat.S_IWUSR | stat.S_IWGRP | stat.S_IWOTH
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
@@ -19,8 +24,9 @@ def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
 def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """A stream into a file beside `path`, which then goes onto the disk and under its name.
 
-    A reader sees the old file or the new one. Raises OSError where the path cannot be written;
-    then, or when the block raises, what was there is untouched and nothing is left behind.
+    A reader sees the old file or the new one. Raises OSError where the path cannot be written, a
+    read-only file among them, though its folder would let it be replaced; then, or when the block
+    raises, what was there is untouched and nothing is left behind.
     """
     target = Path(path)
     try:
@@ -31,6 +37,10 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
             return
         # A link stays a link: the file it names is replaced.
         target = target.resolve()
+        if target.exists() and not (
+            target.stat().st_mode & _WRITABLE and os.access(target, os.W_OK)
+        ):
+            raise PermissionError(errno.EACCES, "the file is read-only")
         part = target.with_name(f".{target.name}.{os.urandom(4).hex()}.part")
         try:
             with part.open("xb") as stream:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -65,6 +65,9 @@ class Launcher(Value):
     drag_rate: Quantity
     terminal_speed: Quantity
 
+    #: Names of the arguments; each launcher has its own, which is no field of it.
+    _made_of: ClassVar[tuple[str, ...]]
+
     def __new__(cls, *arguments: Any, **named: Any) -> Any:
         """Return a launcher, or one dressed in units where a quantity of pint is given."""
         if any(map(is_quantity, (*arguments, *named.values()))):
@@ -92,6 +95,7 @@ class Launcher(Value):
             raise TypeError(
                 "give exactly one of epsilon, drag_rate, terminal_speed; got "
                 + (" and ".join(given) or "none")
+                + (" (to change a launcher: launcher.replace)" if len(given) == 3 else "")
             )
         fields = {"speed": positive("speed", speed), "gravity": positive("gravity", gravity)}
         [name] = given
@@ -105,9 +109,30 @@ class Launcher(Value):
         fields |= _drag(name, **fields)
         for name, field in fields.items():
             object.__setattr__(self, name, field)
+        object.__setattr__(self, "_made_of", ("speed", "gravity", *given))
         # A speed like 1e200 is finite, but the lengths it leads to are not.
         positive("length scale speed²/gravity", self.length_scale)
         positive("time scale speed/gravity", self.time_scale)
+
+    def replace(self, **changes: npt.ArrayLike) -> Self:
+        """The same launcher with some of the arguments it was made with changed.
+
+        The drag stays as it was given: a launcher made with `drag_rate` keeps that, and its ε
+        follows the speed. A drag among the changes takes the place of the one given before.
+        `dataclasses.replace` cannot know which it was, and is refused.
+
+        >>> launcher = Launcher(10.0, gravity=10.0, drag_rate=0.2)
+        >>> launcher.replace(speed=20.0).epsilon
+        0.4
+        >>> launcher.replace(speed=20.0, epsilon=launcher.epsilon).drag_rate
+        0.1
+        """
+        kept = {name: getattr(self, name) for name in self._made_of}
+        if any(name in changes for name in ("epsilon", "drag_rate", "terminal_speed")):
+            kept = {name: kept[name] for name in ("speed", "gravity")}
+        return type(self)(**kept | changes)
+
+    __replace__ = replace
 
     @cached_property
     def length_scale(self) -> Quantity:

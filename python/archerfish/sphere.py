@@ -62,6 +62,7 @@ class SphereLauncher(Launcher):
         area = product(self.diameter, self.diameter)
         rate = quotient(product(18.0, self.fluid_viscosity), product(self.density, area))
         super().__init__(speed, gravity=gravity, drag_rate=rate)
+        object.__setattr__(self, "_made_of", (*given, "speed", "gravity"))
         greatest = np.max(self.reynolds_number)
         if greatest > 1:
             warnings.warn(

@@ -120,7 +120,7 @@ class Dressed:
             except TypeError:
                 # The method itself says what is wrong.
                 return found(*arguments, **named)
-            extra = bound.pop("uncertainties", {})
+            extra = bound.pop("uncertainties", {}) | bound.pop("changes", {})
             plain = {key: _plain(key, value) for key, value in {**bound, **extra}.items()}
             return self._dress(name, found(**plain))
 

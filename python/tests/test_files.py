@@ -59,6 +59,17 @@ def test_links_and_modes_stay(tmp_path):
     assert stat.S_IMODE(real.stat().st_mode) == 0o640
 
 
+def test_a_read_only_file_is_not_replaced(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_bytes(b"old")
+    path.chmod(0o444)
+    with pytest.raises(PermissionError, match="the file is read-only") as failure:
+        write_whole(path, b"new")
+    assert failure.value.filename == str(path)
+    assert path.read_bytes() == b"old"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.csv"]
+
+
 def test_a_new_file_has_the_mode_any_program_gives(tmp_path):
     write_whole(tmp_path / "ours", b"")
     (tmp_path / "theirs").write_bytes(b"")

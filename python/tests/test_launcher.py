@@ -1,5 +1,6 @@
 """The launcher: one drag said three ways, its scales, what it refuses."""
 
+import copy
 import dataclasses
 
 import numpy as np
@@ -43,7 +44,7 @@ def test_locus_is_made_once_and_carries_the_scales():
         ({"epsilon": 0.1, "drag_rate": 1.0}, "epsilon and drag_rate"),
         (
             {"epsilon": 0.1, "drag_rate": 1.0, "terminal_speed": 3.0},
-            "epsilon and drag_rate and terminal_speed",
+            "epsilon and drag_rate and terminal_speed (to change a launcher: launcher.replace)",
         ),
     ],
 )
@@ -53,6 +54,24 @@ def test_exactly_one_drag(given, got):
     assert str(refusal.value) == (
         f"give exactly one of epsilon, drag_rate, terminal_speed; got {got}"
     )
+
+
+@pytest.mark.parametrize("drag", ["epsilon", "drag_rate", "terminal_speed"])
+def test_a_launcher_with_another_speed_keeps_the_drag_it_was_given(drag):
+    launcher = Launcher(10.0, gravity=9.0, **{drag: 0.3})
+    assert launcher.replace() == launcher
+    assert launcher.replace(speed=20.0) == Launcher(20.0, gravity=9.0, **{drag: 0.3})
+    again = launcher.replace(speed=20.0, gravity=3.0).replace(speed=[1.0, 2.0])
+    assert again == Launcher([1.0, 2.0], gravity=3.0, **{drag: 0.3})
+    for other in ("epsilon", "drag_rate", "terminal_speed"):
+        changed = launcher.replace(**{other: getattr(launcher, other)}, speed=4.0)
+        assert changed == Launcher(4.0, gravity=9.0, **{other: getattr(launcher, other)})
+    with pytest.raises(ValueError, match=r"^speed must be above 0 and finite, got -1.0$"):
+        launcher.replace(speed=-1)
+    with pytest.raises(TypeError, match=r"to change a launcher: launcher\.replace"):
+        dataclasses.replace(launcher, speed=20.0)
+    if hasattr(copy, "replace"):  # Python 3.13
+        assert copy.replace(launcher, speed=20.0) == launcher.replace(speed=20.0)
 
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, np.nan, np.inf])

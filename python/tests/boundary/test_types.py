@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
+import archerfish
+
 
 @pytest.mark.parametrize("size", [1, 255, 600])
 def test_float32_stays_float32_and_is_the_rounded_double(ufunc, draw, size):
@@ -13,6 +15,18 @@ def test_float32_stays_float32_and_is_the_rounded_double(ufunc, draw, size):
     result = ufunc(*inputs)
     assert result.dtype == np.float32
     assert_array_equal(result, ufunc(*(x.astype(np.float64) for x in inputs)).astype(np.float32))
+
+
+@pytest.mark.parametrize(
+    ("name", "edge"),
+    [("apex_x", np.pi), ("locus_radius", np.pi), ("lambertw0", -1 / np.e), ("tree", 1 / np.e)],
+)
+def test_float32_is_not_rounded_into_the_domain(name, edge):
+    ufunc = getattr(archerfish, name)
+    assert abs(float(np.float32(edge))) > abs(edge)
+    with pytest.warns(RuntimeWarning, match="invalid"):
+        assert np.isnan(ufunc(np.float32(edge), *[np.float32(0.5)] * (ufunc.nin - 1)))
+    assert "nearest π lies above π" in ufunc.__doc__
 
 
 def test_float32_strided_in_place_and_misaligned(ufunc, draw):

@@ -18,6 +18,13 @@ def test_stokes_drag():
     assert mist.shot(0.5).range > 0
 
 
+def test_the_same_sphere_faster():
+    mist = Launcher.from_sphere(20e-6, 1000.0, 1.81e-5, 1.2, 0.5, gravity=9.0)
+    faster = mist.replace(speed=0.6)
+    assert faster == Launcher.from_sphere(20e-6, 1000.0, 1.81e-5, 1.2, 0.6, gravity=9.0)
+    assert faster.reynolds_number == pytest.approx(1.2 * mist.reynolds_number, rel=1e-15)
+
+
 def test_above_a_reynolds_number_of_one_it_warns():
     with pytest.warns(LinearDragWarning, match="must be well below 1 for linear drag, got 66.2983"):
         drop = Launcher.from_sphere(1e-3, 1000.0, 1.81e-5, 1.2, 1.0)

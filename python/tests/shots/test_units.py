@@ -80,3 +80,9 @@ def test_a_sphere_and_arrays():
 def test_plain_numbers_stay_plain():
     assert isinstance(PLAIN.shot(0.5).range, float)
     assert type(Launcher(10.0, epsilon=0.1)) is Launcher
+
+
+def test_a_changed_launcher_answers_in_units(launcher):
+    faster = launcher.replace(speed=Q(72.0, "km/hour"))
+    assert faster.speed == Q(20.0, "m/s")
+    assert faster.drag_rate == launcher.drag_rate
