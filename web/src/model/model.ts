@@ -2,7 +2,7 @@
 
 import { type Apex, type Point, Shots } from "./apex.ts";
 import { AngleGrid, LocusCurves, POINTS } from "./curves.ts";
-import { Envelope, Fan, Flight } from "./flights.ts";
+import { Envelope, Fan, Flight, Instants } from "./flights.ts";
 import { type Kernels } from "./kernels.ts";
 import { NamedAngleSolver, type NamedAngles } from "./named.ts";
 import { NamedCurves } from "./named_curves.ts";
@@ -18,6 +18,7 @@ export interface Scene {
   /** dα/dθ and d²α/dθ² at the apex. */
   readonly slopes: readonly [number, number];
   readonly flightTime: number;
+  readonly range: number;
   /** r̃ of the drag-free locus at the elevation of the apex. */
   readonly freeRadius: number;
   /** Time since launch, not past the landing. */
@@ -39,8 +40,9 @@ export class Model {
   readonly #dragFree: LocusCurves;
   readonly #compared: readonly LocusCurves[];
   readonly namedCurves: NamedCurves;
+  readonly #instants: Instants;
   readonly #fan: Fan;
-  readonly #shot: Flight;
+  readonly #shot = new Flight();
   readonly #envelope: Envelope;
   readonly #principal: PrincipalBranch;
   readonly #namedHere: NamedAngleSolver;
@@ -54,8 +56,8 @@ export class Model {
     this.#dragFree = new LocusCurves(kernels, this.grid).update(0);
     this.#compared = Array.from({ length: MOST_COMPARED }, () => new LocusCurves(kernels, this.grid));
     this.namedCurves = new NamedCurves(kernels);
+    this.#instants = new Instants(kernels);
     this.#fan = new Fan(kernels);
-    this.#shot = new Flight(kernels);
     this.#envelope = new Envelope(kernels, POINTS);
     this.#principal = new PrincipalBranch(kernels, POINTS);
     this.#namedHere = new NamedAngleSolver(kernels, 1);
@@ -79,6 +81,7 @@ export class Model {
       apex,
       slopes: this.shots.slopes(apex.elevation, epsilon),
       flightTime,
+      range: this.shots.range(launchAngle, epsilon),
       freeRadius: this.shots.radius(apex.elevation, 0),
       time,
       position: this.shots.position(time, launchAngle, epsilon),
@@ -95,7 +98,7 @@ export class Model {
   /** Computes what the layers draw, so that drawing finds it ready. */
   #prepare(scene: Scene): void {
     const { state, locus, scales: { epsilon } } = scene;
-    this.shot(scene);
+    this.#instants.update(epsilon);
     if (shows(state, "fan")) this.fan(epsilon);
     if (shows(state, "envelope")) this.envelope(scene);
     if (shows(state, "ghost")) this.principal(locus);
@@ -103,11 +106,13 @@ export class Model {
   }
 
   fan(epsilon: number): Fan {
-    return this.#fan.update(epsilon);
+    return this.#fan.update(this.#instants.update(epsilon));
   }
 
-  shot({ apex, flightTime, scales: { epsilon } }: Scene): Flight {
-    return this.#shot.update(apex.launchAngle, epsilon, apex.time, flightTime);
+  shot({ apex: { launchAngle }, flightTime, range, scales: { epsilon } }: Scene): Flight {
+    const instants = this.#instants.update(epsilon);
+    instants.place(this.#shot, Math.cos(launchAngle), Math.sin(launchAngle), flightTime, range);
+    return this.#shot;
   }
 
   envelope({ reach, scales: { epsilon } }: Scene): Envelope {

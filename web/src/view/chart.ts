@@ -65,6 +65,8 @@ export class Chart {
   readonly #options: ChartOptions;
   readonly #back: SVGSVGElement;
   readonly #axes: SVGGElement;
+  readonly #bottom: SVGGElement;
+  readonly #side: SVGGElement;
   readonly #still: SVGGElement;
   readonly #clip: SVGRectElement;
   readonly #clipName = `clip-${(charts += 1)}`;
@@ -94,6 +96,8 @@ export class Chart {
     clipPath.append(this.#clip);
     this.#still.setAttribute("clip-path", `url(#${this.#clipName})`);
     this.handles = document.createElement("div");
+    this.#axes.innerHTML = '<g></g><g></g><path class="frame"/><text class="right"/><text class="up"/>';
+    [this.#bottom, this.#side] = [...this.#axes.children] as [SVGGElement, SVGGElement];
     this.#back.append(clipPath, this.#axes, this.#still);
     host.append(this.#back, this.#canvas, this.handles);
   }
@@ -201,8 +205,8 @@ export class Chart {
     let lastX = NaN;
     let lastY = NaN;
     for (let index = from; index < to; index += 1) {
-      const px = xs[index] * xFactor + xOffset;
       // Far outside the frame a canvas loses its grip on the slope; the clip hides the difference.
+      const px = Math.max(-9999, Math.min(9999, xs[index] * xFactor + xOffset));
       const py = Math.max(-9999, Math.min(9999, ys[index] * yFactor + yOffset));
       if (Math.abs(px - lastX) < tolerance && Math.abs(py - lastY) < tolerance && index < to - 1) continue;
       if (Number.isNaN(px + py)) continue;
@@ -296,26 +300,25 @@ export class Chart {
     for (const [name, value] of Object.entries({ x: left - 1, y: top - 1, width: width + 2, height: height + 2 })) {
       this.#clip.setAttribute(name, String(value));
     }
-    const root = select(this.#axes);
-    root.selectAll("*").remove();
-    for (const [axis, transform] of [
-      [bottom, `translate(0,${top + height})`],
-      [side, `translate(${left},0)`],
+    for (const [group, axis, transform] of [
+      [this.#bottom, bottom, `translate(0,${top + height})`],
+      [this.#side, side, `translate(${left},0)`],
     ] as const) {
-      const group = root.append("g").attr("transform", transform).call(axis as never);
-      group.attr("font-size", 0.92 * font).attr("font-family", FONT).attr("color", this.colors.muted);
-      group.selectAll(".tick line").attr("stroke", this.colors.grid);
-      group.select(".domain").remove();
+      const root = select(group).attr("transform", transform).call(axis as never);
+      root.attr("font-size", 0.92 * font).attr("font-family", FONT).attr("color", this.colors.muted);
+      root.selectAll(".tick line").attr("stroke", this.colors.grid);
+      root.select(".domain").attr("stroke", "none");
     }
+    const root = select(this.#axes);
     const frame = `M${left},${top}V${top + height}H${left + width}`;
-    root.append("path").attr("d", frame).attr("fill", "none").attr("stroke", this.colors.muted);
-    const [xLabel, yLabel] = [this.#axisLabels.x, this.#axisLabels.y];
-    for (const [text, px, py, anchor] of [
-      [xLabel, left + width, top + height + 2.5 * font, "end"],
-      [yLabel, 0.2 * font, 1.1 * font, "start"],
+    const { muted, ink } = this.colors;
+    root.select(".frame").attr("d", frame).attr("fill", "none").attr("stroke", muted);
+    for (const [name, text, px, py, anchor] of [
+      [".right", this.#axisLabels.x, left + width, top + height + 2.5 * font, "end"],
+      [".up", this.#axisLabels.y, 0.2 * font, 1.1 * font, "start"],
     ] as const) {
-      const label = root.append("text").attr("x", px).attr("y", py).attr("text-anchor", anchor);
-      label.attr("font-size", font).attr("font-family", FONT).attr("fill", this.colors.ink).text(text);
+      const label = root.select(name).attr("x", px).attr("y", py).attr("text-anchor", anchor);
+      label.attr("font-size", font).attr("font-family", FONT).attr("fill", ink).text(text);
     }
   }
 }

@@ -37,8 +37,8 @@ export class Explorer {
   readonly #handles: { apex: Handle; direction: Handle };
   readonly #cursors: readonly Handle[];
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
-  /** What the last frame took, and when the first was drawn, ms: for measurements. */
-  readonly timings = { computing: 0, drawing: 0, interactive: 0 };
+  /** What the last frame took, and when the first was drawn, ms; whether all follows the state: for measurements and tests. */
+  readonly timings = { computing: 0, drawing: 0, interactive: 0, resting: false };
   #formulas: Formulas | undefined;
   #colors: Palette;
   #asked = false;
@@ -114,6 +114,7 @@ export class Explorer {
   #ask(): void {
     if (this.#asked) return;
     this.#asked = true;
+    this.timings.resting = false;
     requestAnimationFrame(() => this.#draw());
   }
 
@@ -144,6 +145,7 @@ export class Explorer {
     if (code) setText(code, toPython(scene));
     this.#tables.show(scene);
     history.replaceState(null, "", `#${toHash(scene.state)}`);
+    this.timings.resting = !this.#asked;
   }
 
   /**

@@ -42,7 +42,7 @@ export class MainPanel {
       still: { key: `${shown} ${others} ${wrong > 0}`, draw: (painter) => this.#still(painter, scene, wrong) },
       curves: { key: `${shown} ${locus.version}`, draw: (painter) => this.#curves(painter, scene) },
       live: {
-        key: `${shown} ${this.#model.shot(scene).version} ${time}`,
+        key: `${shown} ${locus.version} ${state.angle} ${time}`,
         draw: (painter) => this.#live(painter, scene),
       },
     });
@@ -118,10 +118,7 @@ export class MainPanel {
     if (shows(state, "fan")) {
       const fan = this.#model.fan(scales.epsilon);
       painter.stroke(strokes.fan, (pen) => {
-        for (let shot = 0; shot < fan.shots; shot += 1) {
-          const from = shot * fan.stride;
-          this.#curve(pen, scene, fan.x, fan.y, { from, to: from + fan.counts[shot] });
-        }
+        for (const { x, y, count } of fan.flights) this.#curve(pen, scene, x, y, { to: count });
       });
     }
     if (shows(state, "envelope")) {
@@ -144,7 +141,7 @@ export class MainPanel {
     const unit = scales.length / this.#metres;
     const shot = this.#model.shot(scene);
     painter.stroke({ color: colors.shot, width: 2 }, (pen) =>
-      chart.curve(pen, shot.x, shot.y, { xScale: unit, yScale: unit }),
+      chart.curve(pen, shot.x, shot.y, { to: shot.count, xScale: unit, yScale: unit }),
     );
     if (shows(state, "circle")) {
       const { radius, centre } = this.#model.shots.front(time, scales.epsilon);

@@ -20,7 +20,7 @@ describe("keyboard", () => {
 
   it.each([
     [".handle.apex", [["ArrowUp", 45.5], ["ArrowLeft", 45], ["PageUp", 50], ["Home", 0], ["End", 90], ["PageDown", 85]]],
-    [".handle.direction", [["ArrowRight", 45.5], ["End", 90], ["Home", 0]]],
+    [".handle.direction", [["ArrowRight", 45.5], ["End", 90], ["PageUp", 95], ["End", 180], ["Home", 0]]],
     ["#curvature-panel .handle", [["ArrowRight", 45.5], ["PageDown", 40.5]]],
   ] as const)("turns the shot by %s", async (selector, keys) => {
     await visit("", async ({ page }) => {
@@ -70,7 +70,7 @@ describe("pointer", () => {
     await visit("", async ({ page }) => {
       await page.check("#all-digits");
       const before = await read(page, "elevation");
-      const apex = await middle(page, ".handle.apex .knob");
+      const apex = await middle(page, ".handle.apex");
       await page.mouse.move(apex.x, apex.y);
       await page.mouse.down();
       await page.mouse.move(apex.x - 60, apex.y - 100, { steps: 4 });
@@ -83,10 +83,11 @@ describe("pointer", () => {
         return ray.top;
       });
       expect(origin).toBeGreaterThan(0);
-      const now = await middle(page, ".handle.apex .knob");
+      await state(page);
+      const now = await middle(page, ".handle.apex");
       expect(Math.abs(now.x - apex.x) + Math.abs(now.y - apex.y)).toBeGreaterThan(20);
 
-      const tip = await middle(page, ".handle.direction .knob");
+      const tip = await middle(page, ".handle.direction");
       await page.mouse.move(tip.x, tip.y);
       await page.mouse.down();
       await page.mouse.move(tip.x + 90, tip.y + 60, { steps: 4 });
@@ -105,10 +106,11 @@ describe("pointer", () => {
 
   it("moves one cursor in all panels", async () => {
     await visit("", async ({ page }) => {
-      const panels = ["elevation", "slope", "bend", "curvature"].map((name) => `#${name}-panel .handle .knob`);
+      const panels = ["elevation", "slope", "bend", "curvature"].map((name) => `#${name}-panel .handle`);
       const before = await Promise.all(panels.map((selector) => middle(page, selector)));
       const box = (await page.locator("#slope-panel").boundingBox())!;
       await page.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
+      await state(page);
       const after = await Promise.all(panels.map((selector) => middle(page, selector)));
       after.forEach(({ x }, index) => expect(x).toBeGreaterThan(before[index].x + 20));
       const named = (await page.locator("#named-panel").boundingBox())!;
@@ -117,11 +119,29 @@ describe("pointer", () => {
     });
   });
 
+  it("takes shots to the left where both sides are shown", async () => {
+    await visit("", async ({ page }) => {
+      const box = (await page.locator("#main-panel").boundingBox())!;
+      // One side: a pointer that strays over the vertical stays on it.
+      await page.mouse.click(box.x + 10, box.y + 80);
+      expect(await number(page, "angle")).toBe(90);
+      await page.check("#both-sides");
+      await page.mouse.click(box.x + box.width * 0.3, box.y + 130);
+      const angle = await number(page, "angle");
+      expect(angle).toBeGreaterThan(100);
+      expect(await page.textContent("#read-x")).toMatch(/^−/);
+      expect(await page.textContent("#summary-text")).toContain("to the left");
+      expect(await page.getAttribute("#angle-slider", "max")).toBe("180");
+      await page.uncheck("#both-sides");
+      expect(await number(page, "angle")).toBeCloseTo(180 - angle, 9);
+    });
+  });
+
   it("drags by touch on a handle", async () => {
     await visit(
       "",
       async ({ page }) => {
-        const { x, y } = await middle(page, ".handle.apex .knob");
+        const { x, y } = await middle(page, ".handle.apex");
         const client = await page.context().newCDPSession(page);
         const touch = (type: string, dx: number, dy: number) =>
           client.send("Input.dispatchTouchEvent", {
@@ -194,7 +214,7 @@ describe("controls", () => {
 
   it("lay things over the picture", async () => {
     await visit("#layers=", async ({ page }) => {
-      const pixels = () => page.evaluate(() => (document.querySelector("#main-panel canvas") as HTMLCanvasElement).toDataURL());
+      const pixels = async () => (await page.locator("#main-panel").screenshot()).toString("base64");
       let last = await pixels();
       for (const layer of ["fan", "drag_free", "envelope", "circle", "comb", "points", "ghost"]) {
         await page.check(`#layer-${layer}`);
@@ -237,7 +257,7 @@ describe("controls", () => {
         await page.evaluate(() => {
           const times = new Set<string>();
           const output = document.querySelector("#time-output")!;
-          new MutationObserver(() => times.add(output.textContent ?? "")).observe(output, { childList: true });
+          new MutationObserver(() => times.add(output.textContent ?? "")).observe(output, { childList: true, characterData: true, subtree: true });
           Object.assign(window, { times });
         });
         await page.click("#play");

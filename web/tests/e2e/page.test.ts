@@ -73,6 +73,7 @@ describe("the page", () => {
   ])("stands ε = %s", async (epsilon, x) => {
     await visit(`#epsilon=${epsilon}&layers=fan,drag_free,envelope,circle,comb,points,ghost&time=0.2&frame=fit`, async ({ page }) => {
       await page.check("#all-digits");
+      await state(page);
       expect(await read(page, "x")).toBeCloseTo(x, 3);
       expect(await page.locator("body").innerText()).not.toMatch(/NaN|undefined/);
     });

@@ -54,10 +54,9 @@ export async function visit(
 
 /** The state in the address, once the page has come to rest. */
 export async function state(page: Page): Promise<URLSearchParams> {
-  // After the frame that the last change asked for, and the rest that the address waits for.
-  await page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 170)))),
-  );
+  // A turn later: what was pressed last has been heard by then.
+  await page.evaluate(() => new Promise((done) => setTimeout(done)));
+  await page.waitForFunction(() => (window as unknown as { archerfish: { resting: boolean } }).archerfish.resting);
   return new URLSearchParams(new URL(page.url()).hash.slice(1));
 }
 

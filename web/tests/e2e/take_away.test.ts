@@ -90,7 +90,7 @@ describe("pictures", () => {
 
 describe("the link", () => {
   it("brings the whole view back", async () => {
-    const hash = "#speed=3.3&gravity=1.62&drag_rate=0.123&angle=61.7&time=0.25&compare=0.5,2&layers=fan,comb&curvature_by=elevation&frame=fit&theme=dark";
+    const hash = "#speed=3.3&gravity=1.62&drag_rate=0.123&angle=61.7&time=0.25&compare=0.5,2&layers=fan,comb&curvature_by=elevation&frame=fit&sides=right&theme=dark";
     await visit(hash, async ({ page }) => {
       await page.click("#copy-link");
       const link = await clipboard(page);
