@@ -1,7 +1,8 @@
 """The honest comparison: ``python -m bench.compare``.
 
-Prints the tables of COMPARE.md as measured here and now. With ``--record`` it also writes them,
-with the date and the machine, to ``bench/record/``, puts them into COMPARE.md, and draws
+Prints the tables of COMPARE.md as measured here and now, and which bars they miss. With
+``--record`` it also writes them, with the date and the machine, to ``bench/record/``, puts them
+into COMPARE.md and, a few, into the README, and draws
 ``docs/speed.svg`` and ``docs/scaling.svg``.
 """
 
@@ -25,7 +26,15 @@ from bench.accuracy import Table
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORDS = ROOT / "bench" / "record"
-DOCUMENT = ROOT / "COMPARE.md"
+#: The documents that quote the newest record, and the tables each has room for.
+DOCUMENTS = {
+    ROOT / "COMPARE.md": ("about", "formulas", "lambert", "speed", "scaling"),
+    ROOT / "README.md": ("digest",),
+}
+#: Processor time of a whole process, in that of `import numpy`.
+STARTS = (("import archerfish", 1.3), ("archerfish locus", 2.5))
+#: What the README shows of each family.
+DIGEST = ("lambertw0", "lambertwm1", "apex_y", "locus_launch_angle", "locus_radius", "flight_range")
 
 
 def measured(count: int, elements: int, rounds: int, longest: int) -> dict[str, Any]:
@@ -73,6 +82,7 @@ def tables(record: dict[str, Any]) -> dict[str, str]:
         "lambert": markdown(transposed(record["lambert"]), "{:.3g}", "argument"),
         "speed": speed_table(record["speed"]),
         "scaling": scaling_table(record),
+        "digest": digest(record),
         "about": (
             f"Measured on {about['date']} on {about['processor']} ({about['instruction_set']} "
             f"kernels, one thread): archerfish {about['archerfish']}, Python {about['python']}, "
@@ -123,6 +133,31 @@ def speed_table(rows: speed.Rows) -> str:
     return "\n".join(lines)
 
 
+def digest(record: dict[str, Any]) -> str:
+    """Return what the README quotes: a kernel of each family beside the others, and the start."""
+    about, starts = record["about"], record["starts"]
+    rows: dict[str, dict[str, str]] = {kernel: {} for kernel in DIGEST}
+    for row_name, row in record["speed"].items():
+        kernel, name = speed.kernel_and_name(row_name)
+        time = row["nanoseconds"]
+        if kernel in rows:
+            rows[kernel][name] = f"{time:.3g}" if time < 1000 else f"{time:,.0f}"
+    lines = ["| ns an element | archerfish | others |", "|---|---|---|"]
+    for kernel, times in rows.items():
+        mine = times.pop("archerfish")
+        others = "; ".join(f"{name}: {time}" for name, time in times.items())
+        lines.append(f"| `{kernel}` | {mine} | {others} |")
+    logarithm = record["speed"][speed.UNIT]["nanoseconds"]
+    lines += [
+        "",
+        f"One thread of {about['processor']} ({about['instruction_set']} kernels), where `np.log`",
+        f"takes {logarithm:.2g} ns. In the time of `import numpy`, `import archerfish` takes "
+        f"{starts['import archerfish']:.2f}, and",
+        f"`archerfish locus`, start to end, {starts['archerfish locus']:.2f}.",
+    ]
+    return "\n".join(lines)
+
+
 def scaling_table(record: dict[str, Any]) -> str:
     """Return a Markdown table of what does not depend on the elements."""
     lines = ["| | | measured | at most |", "|---|---|---|---|"]
@@ -133,9 +168,9 @@ def scaling_table(record: dict[str, Any]) -> str:
         lines.append(f"| two threads, times as fast | {name} | {ratio:.2f} | at least 1.8 |")
     (memory,) = record["memory"].values()
     lines.append(f"| memory beyond arguments and results | apex_y, 10⁷ | {memory:.2f} | 0 |")
-    for name, bar in (("import archerfish", "1.3"), ("archerfish locus", "2.5")):
+    for name, bar in STARTS:
         ratio = record["starts"][name]
-        lines.append(f"| whole process, in `import numpy`'s | {name} | {ratio:.2f} | {bar} |")
+        lines.append(f"| whole process, in `import numpy`'s | {name} | {ratio:.2f} | {bar:g} |")
     return "\n".join(lines)
 
 
@@ -149,15 +184,35 @@ def drawn(record: dict[str, Any]) -> dict[str, bytes]:
     }
 
 
-def updated(document: str, record: dict[str, Any]) -> str:
-    """Return the document with every table between its markers replaced."""
-    for name, text in tables(record).items():
+def updated(document: str, record: dict[str, Any], names: tuple[str, ...]) -> str:
+    """Return the document with each of these tables replaced between its markers."""
+    texts = tables(record)
+    for name in names:
+        text = texts[name]
         begin, end = f"<!-- {name}: made by make bench -->", f"<!-- end of {name} -->"
         pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
         if len(pattern.findall(document)) != 1:
-            raise ValueError(f"COMPARE.md must have one pair of markers for {name}")
+            raise ValueError(f"the document must have one pair of markers for {name}")
         document = pattern.sub(lambda _, new=f"{begin}\n{text}\n{end}": new, document)
     return document
+
+
+def missed(record: dict[str, Any]) -> list[str]:
+    """Return a line for each bar that the record does not reach."""
+    factor = {"avx512": 1.0, "avx2": 2.0}.get(record["about"]["instruction_set"], np.inf)
+    bars = [
+        (f"{kernel}, in logarithms", row["logarithms"], speed.BARS[kernel] * factor)
+        for (kernel, name), row in (
+            (speed.kernel_and_name(name), row) for name, row in record["speed"].items()
+        )
+        if name == "archerfish" and kernel in speed.BARS
+    ]
+    bars += [
+        (f"call on one element, {name}, in np.arctan2's", ratio, 1.5)
+        for name, ratio in record["calls"].items()
+    ]
+    bars += [(f"{name}, in import numpy's", record["starts"][name], bar) for name, bar in STARTS]
+    return [f"{name}: {value:.3g}, at most {bar:g}" for name, value, bar in bars if value > bar]
 
 
 def toml(record: dict[str, Any]) -> str:
@@ -205,17 +260,20 @@ def main() -> None:
     record = measured(chosen.inputs, chosen.elements, chosen.rounds, chosen.longest)
     for text in tables(record).values():
         print(text, end="\n\n")
+    for line in missed(record):
+        print("not met:", line)
     if chosen.record:
         # What stands in COMPARE.md is what stands in the record, rounding included.
         text = toml(record)
         path = RECORDS / f"{record['about']['date']}.toml"
         RECORDS.mkdir(exist_ok=True)
         write_whole(path, text.encode())
-        document = updated(DOCUMENT.read_text(encoding="utf-8"), tomllib.loads(text))
-        write_whole(DOCUMENT, document.encode())
+        for page, names in DOCUMENTS.items():
+            document = updated(page.read_text(encoding="utf-8"), tomllib.loads(text), names)
+            write_whole(page, document.encode())
         for name, picture in drawn(tomllib.loads(text)).items():
             write_whole(ROOT / "docs" / name, picture)
-        print(f"wrote {path.relative_to(ROOT)}, COMPARE.md, docs/speed.svg and docs/scaling.svg")
+        print(f"wrote {path.relative_to(ROOT)}, COMPARE.md, README.md and two pictures in docs")
 
 
 if __name__ == "__main__":

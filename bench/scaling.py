@@ -16,6 +16,8 @@ import archerfish
 
 #: One kernel of each family, and what calls of NumPy's own cost.
 FAMILIES = ("log1pmx", "lambertw0", "apex_y", "locus_launch_angle", "flight_range", "arctan2")
+#: Those whose calls on one element are counted too: the longest kernels, and one of three numbers.
+LONGEST_KERNELS = ("locus_radius", "locus_curvature", "trajectory_height", "aim_low")
 LENGTHS = tuple(10**k for k in range(9))
 #: Each length is timed at least so long, in at least so many pieces.
 SECONDS, PIECES = 0.05, 5
@@ -30,7 +32,8 @@ def ufunc(name: str) -> np.ufunc:
 def arguments(function: np.ufunc, count: int) -> list[np.ndarray]:
     """Numbers in the domain of every family, and room for the results."""
     rng = np.random.default_rng(2010)
-    return [rng.uniform(0.01, 1.5, count) for _ in range(function.nin)] + [np.empty(count)]
+    high = 1.5 if function.nin < 3 else 0.3  # targets within reach
+    return [rng.uniform(0.01, high, count) for _ in range(function.nin)] + [np.empty(count)]
 
 
 def call_of(name: str, count: int) -> Call:
@@ -65,9 +68,11 @@ def by_length(longest: int) -> dict[str, dict[str, float]]:
     }
 
 
-def calls(rounds: int = 40) -> dict[str, float]:
+def calls(
+    rounds: int = 40, names: tuple[str, ...] = (*FAMILIES, *LONGEST_KERNELS)
+) -> dict[str, float]:
     """What a call on one element takes, in units of np.arctan2's; best of turns."""
-    table = {name: call_of(name, 1) for name in FAMILIES}
+    table = {name: call_of(name, 1) for name in names}
     taken: dict[str, list[int]] = {name: [] for name in table}
     for _ in range(rounds):
         for name, call in table.items():

@@ -17,14 +17,40 @@ def formulas():
         return accuracy.formulas(12)
 
 
-def test_the_document_holds_the_newest_record_and_nothing_else():
-    document = compare.DOCUMENT.read_text(encoding="utf-8")
-    assert compare.updated(document, compare.latest()) == document
+@pytest.mark.parametrize(("page", "names"), compare.DOCUMENTS.items(), ids=str)
+def test_the_document_holds_the_newest_record_and_nothing_else(page, names):
+    document = page.read_text(encoding="utf-8")
+    assert compare.updated(document, compare.latest(), names) == document
 
 
 def test_a_document_without_markers_is_refused():
     with pytest.raises(ValueError, match="one pair of markers for formulas"):
-        compare.updated("", compare.latest())
+        compare.updated("", compare.latest(), ("formulas",))
+
+
+def test_bars_that_are_missed_are_told():
+    record = compare.latest()
+    record["about"]["instruction_set"] = "avx512"
+    record["speed"]["lambertw0: archerfish"]["logarithms"] = 4.01
+    record["calls"]["apex_y"], record["starts"]["import archerfish"] = 1.51, 1.29
+    told = "\n".join(compare.missed(record))
+    assert "lambertw0, in logarithms: 4.01, at most 4" in told
+    assert "call on one element, apex_y, in np.arctan2's: 1.51, at most 1.5" in told
+    assert "import" not in told
+
+
+def test_the_start_is_as_quick_as_it_should_be():
+    """Processor time, the least of turns: what the machine does besides hardly shows."""
+    found = scaling.starts(rounds=7)
+    for name, bar in compare.STARTS:
+        assert found[name] <= bar, (name, found)
+
+
+def test_a_call_on_one_element_costs_little_more_than_numpys():
+    """Kernels far below the bar; those next to it are told of by `make bench`."""
+    names = ("log1pmx", "lambertw0", "apex_y", "flight_range", "arctan2")
+    found = scaling.calls(rounds=20, names=names)
+    assert max(found.values()) <= 1.5, found
 
 
 def test_a_record_survives_the_file():
