@@ -40,16 +40,25 @@ def test_two_loops_run_at_once_while_python_looks_on():
     raise AssertionError(f"in {ATTEMPTS} attempts two loops were never seen under way together")
 
 
-def test_threads_give_the_same_numbers():
-    z = np.linspace(-0.3, 10.0, 10_001)
-    expected = archerfish.lambertw0(z)
-    results = [np.empty_like(z) for _ in range(8)]
-    threads = [
-        threading.Thread(target=archerfish.lambertw0, args=(z,), kwargs={"out": out})
-        for out in results
-    ]
+def test_eight_threads_on_shared_inputs_give_the_same_numbers(ufunc, draw):
+    """Every ufunc, of one, two and three numbers; half of the threads through strided memory."""
+    inputs = draw(20_001)
+    kept = [x.copy() for x in inputs]
+    expected = ufunc(*inputs)
+    room = [np.full((20_001, 2), UNTOUCHED) for _ in range(8)]
+    outs = [each[:, 0] if k % 2 else each.reshape(-1)[:20_001] for k, each in enumerate(room)]
+    start = threading.Barrier(8)
+
+    def work(out):
+        start.wait()
+        for _ in range(3):
+            ufunc(*inputs, out=out)
+
+    threads = [threading.Thread(target=work, args=(out,)) for out in outs]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert all(np.array_equal(expected, out) for out in results)
+    assert all(np.array_equal(expected, out) for out in outs)
+    assert all(np.array_equal(before, after) for before, after in zip(kept, inputs, strict=True))
+    assert all(np.all(each.reshape(-1)[1::2][-1] == UNTOUCHED) for each in room)
