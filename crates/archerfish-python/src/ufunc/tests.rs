@@ -23,6 +23,12 @@ fn next(x: &[f64], out: &mut [f64]) {
     }
 }
 
+fn blend(x: &[f64], y: &[f64], z: &[f64], out: &mut [f64]) {
+    for i in 0..out.len() {
+        out[i] = x[i] + 0.5 * y[i] - 0.25 * z[i];
+    }
+}
+
 /// Where an operand lies: its first byte, counted from an aligned one, and its step.
 #[derive(Clone, Copy, Debug)]
 struct Place(usize, isize);
@@ -34,7 +40,7 @@ impl Place {
 }
 
 /// Compares the whole memory after `in_blocks` with what one element at a time leaves there.
-fn check<T: Element, const SIZE: usize>(kernel: Kernel, count: usize, x: [Place; 2], out: Place) {
+fn check<T: Element, const SIZE: usize>(kernel: Kernel, count: usize, x: [Place; 3], out: Place) {
     // Doubles make the room aligned; what each element holds at the start is an ordinary number.
     let mut rooms = [[0.0_f64; ROOM / 8]; 2];
     for (i, value) in rooms[0].iter_mut().enumerate() {
@@ -44,19 +50,18 @@ fn check<T: Element, const SIZE: usize>(kernel: Kernel, count: usize, x: [Place;
     let [mine, plain] = rooms.each_mut().map(|room| room.as_mut_ptr().cast::<c_char>());
     // SAFETY: every place of this file lies inside the room for every count of this file.
     unsafe {
-        let inputs = array::from_fn(|k| x[k.min(1)].operand(mine));
+        let inputs = x.map(|place| place.operand(mine));
         in_blocks::<T, SIZE>(kernel, count, inputs, out.operand(mine));
-        let inputs: [Operand; 2] = x.map(|place| place.operand(plain));
+        let inputs = x.map(|place| place.operand(plain));
         for i in 0..count {
-            let [mut a, mut b, mut value] = [[0.0]; 3];
+            let [mut a, mut b, mut c, mut value] = [[0.0]; 4];
             inputs[0].gather::<T>(i, &mut a);
             inputs[1].gather::<T>(i, &mut b);
+            inputs[2].gather::<T>(i, &mut c);
             match kernel {
                 Kernel::Unary(function) => function(&a, &mut value),
                 Kernel::Binary(function) => function(&a, &b, &mut value),
-                Kernel::Ternary(_) => {
-                    unreachable!("the kernels of this file take one or two numbers")
-                }
+                Kernel::Ternary(function) => function(&a, &b, &c, &mut value),
             }
             out.operand(plain).scatter::<T>(i, &value);
         }
@@ -89,9 +94,13 @@ fn check_all<T: Element>(count: usize) {
     for x in places {
         for out in outputs {
             let y = Place(low, step);
-            check::<T, SHORT>(Kernel::Unary(next), count, [x, x], out);
-            check::<T, SHORT>(Kernel::Binary(sum), count, [x, y], out);
-            check::<T, SHORT>(Kernel::Binary(sum), count, [y, x], out);
+            let z = Place(low + 2 * size, step);
+            check::<T, SHORT>(Kernel::Unary(next), count, [x; 3], out);
+            check::<T, SHORT>(Kernel::Binary(sum), count, [x, y, y], out);
+            check::<T, SHORT>(Kernel::Binary(sum), count, [y, x, x], out);
+            for operands in [[x, y, z], [y, x, z], [y, z, x]] {
+                check::<T, SHORT>(Kernel::Ternary(blend), count, operands, out);
+            }
         }
     }
 }
@@ -119,6 +128,7 @@ fn kernels_of_the_core_run_in_blocks() {
         .iter()
         .map(|&(_, f)| (1, Kernel::Unary(f)))
         .chain(archerfish::batch::BINARY.iter().map(|&(_, f)| (2, Kernel::Binary(f))))
+        .chain(archerfish::batch::TERNARY.iter().map(|&(_, f)| (3, Kernel::Ternary(f))))
     {
         let operands = array::from_fn(|_| at(x.as_ptr()));
         // SAFETY: three doubles each.
