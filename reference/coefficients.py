@@ -128,6 +128,13 @@ def fall_tail(w):
     )(w)
 
 
+def aim_exp(r):
+    """(e^r − 1 − r) / r²."""
+    return taylor_near_zero(
+        lambda t: (mp.expm1(t) - t) / t**2, lambda k: 1 / mp.factorial(k + 2)
+    )(r)
+
+
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
 ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
@@ -141,12 +148,15 @@ FITS = {
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
     "half_time_tail": Fit(half_time_tail, 0, mp.mpf("0.5626"), 7, lambda z: z ** mp.mpf("1.5")),
+    "aim_exp": Fit(aim_exp, -HALF_LN2, HALF_LN2, 6, lambda r: r * r),
+    "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 5, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
     "principal_close_tail": Fit(branch_tail(0), 0, mp.mpf("0.2001"), 8, lambda p: abs(p) ** 3),
     "lower_close_tail": Fit(branch_tail(-1), mp.mpf("-0.2001"), 0, 8, lambda p: abs(p) ** 3),
+    "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 9, lambda z: z),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
 
@@ -252,12 +262,13 @@ DRAGS = np.concatenate([[0], np.geomspace(3e-4, 1e15, 6000)])
 
 
 def rough_gain():
-    """G as a function of 1/(1 + u), to 2⁻¹⁶."""
-    return Start(DRAGS, gain(DRAGS), 2.0**-16 / gain(DRAGS), 5, 5, compressed=True)
+    """G as a function of 1/√(1 + u), in which it is smoother than in 1/(1 + u), to 2⁻¹⁸."""
+    root = np.sqrt(1 + DRAGS) - 1
+    return Start(root, gain(DRAGS), 2.0**-18 / gain(DRAGS), 4, 4, compressed=True)
 
 
 def rougher_gain():
-    """As `rough_gain`, for the guess before it."""
+    """G as a function of 1/(1 + u), for the guess before."""
     return Start(DRAGS, gain(DRAGS), 2.0**-9 / gain(DRAGS), 2, 2, compressed=True)
 
 
@@ -271,7 +282,18 @@ def half_time_start():
     return Start(u, h / u, np.full_like(u, 2.0**-14), 3, 3, iterations=400)
 
 
+def aim_way():
+    """(1 + q)(1 − e⁻ʷ)/q as a function of q = √(2(w − 1 + e⁻ʷ)); w is to be good to 2⁻¹²."""
+    w = np.concatenate([np.geomspace(1e-6, 1, 800), np.linspace(1, 500, 2500)])
+    w = np.concatenate([w, np.geomspace(500, 1e14, 500)])
+    gone = -np.expm1(-w)
+    near = w * w * (1 / 2 - w * (1 / 6 - w * (1 / 24 - w / 120)))
+    q = np.sqrt(2 * np.where(w < 1e-2, near, w - gone))
+    return Start(q, (1 + q) * gone / q, 2.0**-12 * w / gone, 3, 3, iterations=1500)
+
+
 STARTS = {
+    "aim_way": aim_way,
     "half_time_start": half_time_start,
     "principal_start": principal_start,
     "lower_start": lower_start,
@@ -315,10 +337,10 @@ def lawson(start):
 def rough_gain_slope():
     """Numerator of u G′(u) over the denominator of `rough_gain`, by plain least squares."""
     _, bottom, _ = lawson(rough_gain())
-    x = 1 / (1 + DRAGS)
+    x = 1 / np.sqrt(1 + DRAGS)
     slope = 1 - (2 + DRAGS) / (1 + DRAGS) * gain(DRAGS)
     slope = np.where(DRAGS < 1e-3, DRAGS / 6 - DRAGS**2 / 6, slope)
-    rows = x[:, None] ** np.arange(7) / np.polynomial.Polynomial(bottom)(x)[:, None]
+    rows = x[:, None] ** np.arange(6) / np.polynomial.Polynomial(bottom)(x)[:, None]
     coefficients, *_ = np.linalg.lstsq(rows, slope, rcond=None)
     worst = abs(rows @ coefficients - slope).max()
     return [float(f"{c:.10g}") for c in coefficients], worst

@@ -5,11 +5,15 @@
 //! All of it stays of moderate size for every ε, and the denominator is never near zero.
 
 use super::super::real::double_double::DoubleDouble;
+use super::super::real::select;
 use super::launch::{Launch, within_domain};
 use super::locus::Elevated;
 
 const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
+/// 2⁻⁷⁰⁰ and 2²⁰⁰
+const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
+const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
 impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
@@ -42,5 +46,8 @@ pub fn apex_curvature(alpha: f64, eps: f64) -> f64 {
 /// Curvature of the locus by elevation, times V₀²/g.  [Eq. 19]
 #[inline(always)]
 pub fn locus_curvature(theta: f64, eps: f64) -> f64 {
-    within_domain(theta, eps, Elevated::new(theta, eps).launch().curvature())
+    // so near the launch point it depends on ε sin α alone, and sin α would be subnormal
+    let near = theta < NEAR;
+    let (angle, epsilon) = (theta * select(near, LIFT, 1.0), eps * select(near, 1.0 / LIFT, 1.0));
+    within_domain(theta, eps, Elevated::new(angle, epsilon).launch().curvature())
 }

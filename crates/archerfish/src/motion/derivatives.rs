@@ -15,22 +15,25 @@ use super::drag::Drag;
 use super::launch::{LARGE, Launch, SMALL, Scaled, TINY, within_domain};
 use super::locus::Elevated;
 
+/// 2⁻⁷⁰⁰ and 2¹⁶⁰
+const FLAT: f64 = f64::from_bits((1023 - 700) << 52);
+const STRONG: f64 = f64::from_bits((1023 + 160) << 52);
 /// 2²⁰⁰
 const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
 impl Elevated {
     /// `dα/dθ = Q/P`
     ///
-    /// On the locus cos α/cos θ is √Q and G is √Q sin θ/sin α; a is what then makes
-    /// `P = cos²α + G (sin²α − cos²α/q)`.
+    /// On the locus Q is (cos α/cos θ)² and G is tan θ/tan α; a is what then makes
+    /// `P = cos²α + G (sin²α − cos²α/q)`. Over one denominator that is
+    /// `q sin α cos α / (cos θ [q sin α cos α cos θ + (q sin²α − cos²α) sin θ])`.
     #[inline(always)]
     fn launch_angle_d1(&self) -> f64 {
-        let launch = self.launch();
-        let ratio = self.cos_ratio();
-        let gain = ratio.times(self.sin_theta).div(launch.sin);
-        let (sin2, cos2) = (launch.sin.squared(), launch.cos.squared());
-        let slope = cos2.add(gain.times(sin2.sub(cos2.div(launch.q()))));
-        ratio.squared().quotient(slope)
+        let (sin, cos) = self.direction();
+        let up = sin.times_double(self.epsilon).add_positive(1.0).times(sin);
+        let top = up.times(cos);
+        let across = up.times(sin).sub(cos.squared()).times(self.sin_theta);
+        top.quotient(top.times(self.cos_theta).add(across).times(self.cos_theta))
     }
 }
 
@@ -78,7 +81,13 @@ pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
 pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
     // −12θ − 8ε/3 where both are tiny: proportional to both, which a subnormal would spoil
     let tiny = (theta < TINY) & (eps < TINY);
-    let (factor, back) = (select(tiny, LARGE, 1.0), select(tiny, SMALL, 1.0));
-    let launch = Elevated::new(theta * factor, eps * factor).launch();
+    // and ε f(εθ) where θ is nothing beside ε, or −8ε/3 where εθ is nothing beside 1
+    let flat = (theta < FLAT) & !tiny;
+    let strong = flat & (eps > STRONG);
+    let angle = theta * select(tiny | strong, LARGE, 1.0);
+    let angle = select(flat & !strong, FLAT, angle);
+    let epsilon = eps * select(tiny, LARGE, select(strong, SMALL, 1.0));
+    let back = select(tiny, SMALL, select(strong, LARGE, 1.0));
+    let launch = Elevated::new(angle, epsilon).launch();
     within_domain(theta, eps, launch.launch_angle_d2() * back)
 }

@@ -1,60 +1,60 @@
 //! The locus by elevation: the inverse of equation (10), and equation (13).
 //!
-//! Method: write α = θ + β, 0 ≤ β < 0.34. As tan θ = G(u) tan α,
-//! `sin β = (1 − G(u)) cos θ sin α` with u = ε sin α.
+//! Method: write α = θ + β, 0 ≤ β < 0.34, and τ = tan β. Equation (10), `tan θ = G(u) tan α`, says
+//! `α = arctan(tan θ / G(u))`, u = ε sin α, whose right side hardly depends on α; or
+//! `τ = (1 − G) cos θ sin θ / (1 − (1 − G) cos²θ)`.
 //!
-//! First g = G(u) itself is found to 2⁻¹⁵ in ordinary arithmetic, from
-//! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`, whose right side hardly depends on g: one evaluation at
-//! g = 0.7, then one Newton step, on rational approximations of G. That gives β₀ from
-//! `tan β = (1 − g) sin θ cos θ / (g cos²θ + sin²θ)`. One step of fourth order on the equation for
-//! β leaves an error far below the last digit, and θ + β is rounded once.
+//! First g = G(u) itself is found to 2⁻¹⁸ in ordinary arithmetic, from
+//! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: two Newton steps, on rational approximations of G. That
+//! gives τ. One step of third order on the equation for α leaves an error far below the last digit;
+//! its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β with
+//! it, without a further series.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::super::real::{polynomial, select, sin_cos_reduced, sin_cos_upper, sqrt};
+use super::super::real::double_double::{
+    DoubleDouble, fast_two_sum, two_product, two_square, two_sum_positive,
+};
+use super::super::real::{polynomial, select, sin_cos_upper, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 
-// rough_gain: 0.95 of the error that can be borne: reference/coefficients.py rough_gain
-const ROUGH_GAIN_TOP: [f64; 6] =
-    [0.9999854613, 2849.150185, 510845.0506, 10432954.1, 26136751.73, 3135269.465];
-const ROUGH_GAIN_BOTTOM: [f64; 6] =
-    [1.0, 2857.938493, 526359.114, 12103264.36, 44542692.67, 23259829.02];
+// rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
+const ROUGH_GAIN_TOP: [f64; 5] = [1.000003117, 44.77477818, 251.6053412, 167.0320133, -18.25660729];
+const ROUGH_GAIN_BOTTOM: [f64; 5] = [1.0, 44.78366677, 260.8441074, 362.0037094, 223.6851393];
 // rougher_gain: 0.79 of the error that can be borne: reference/coefficients.py rougher_gain
 const ROUGHER_GAIN_TOP: [f64; 3] = [0.9984534505, 23.32839793, 10.33700643];
 const ROUGHER_GAIN_BOTTOM: [f64; 3] = [1.0, 27.46378559, 40.64950412];
-// rough_gain_slope: least squares, error 3.2e-05: reference/coefficients.py rough_gain_slope
-const ROUGH_GAIN_SLOPE: [f64; 7] = [
-    2.986460714e-06,
-    7.810098246,
-    12667.11828,
-    1159012.716,
-    7979813.174,
-    -6034042.518,
-    -3118251.951,
-];
-// rough_atan: minimax on [0.0, 0.1251], degree 4,
-// weighted error 4.02e-9: reference/coefficients.py rough_atan
-const ROUGH_ATAN: [f64; 5] = [
-    0.9999999959832305,
-    -0.3333316938899209,
-    0.19989272785261564,
-    -0.14037643445334563,
-    0.08704472724246974,
+// rough_gain_slope: least squares, error 0.00016: reference/coefficients.py rough_gain_slope
+const ROUGH_GAIN_SLOPE: [f64; 6] =
+    [-9.308471175e-06, 0.02536088662, 7.435762406, 158.6600913, -39.50637987, -126.6566319];
+// small_atan_tail: minimax on [0.0, 0.1251], degree 9,
+// weighted error 4.63e-18: reference/coefficients.py small_atan_tail
+const SMALL_ATAN_TAIL: [f64; 10] = [
+    -0.33333333333333165,
+    0.1999999999993487,
+    -0.14285714276851577,
+    0.11111110513149787,
+    -0.09090885856095661,
+    0.07691747138814369,
+    -0.0665796483859827,
+    0.05794792218598504,
+    -0.04703752663544858,
+    0.026216597317965593,
 ];
 
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
     /// |cos θ|
-    cos_theta: DoubleDouble,
-    /// sin α and |cos α|
-    sin: DoubleDouble,
-    cos: DoubleDouble,
-    epsilon: f64,
+    pub cos_theta: DoubleDouble,
+    pub epsilon: f64,
     /// whether θ > π/2
     mirrored: bool,
     theta: f64,
-    beta: f64,
+    /// `τ = tan β₀`
+    tau: f64,
+    /// `sin θ + τ cos θ`, which is sin(θ + β₀)/cos β₀
+    up: DoubleDouble,
+    /// `α − θ − β₀`, for θ ≤ π/2
     step: f64,
 }
 
@@ -65,107 +65,141 @@ impl Elevated {
         let (sin_theta, cos_theta) = sin_cos_upper(theta);
         let mirrored = cos_theta.hi < 0.0;
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
-
-        let beta = rough_beta(sin_theta.hi, cos_theta.hi, epsilon);
-        let (sin_beta, cos_beta) = sin_cos_reduced(DoubleDouble::from(beta));
-        let sin = sin_theta.times(cos_beta).add_smaller(cos_theta.times(sin_beta));
-        let cos = cos_theta.times(cos_beta).sub_smaller(sin_theta.times(sin_beta));
-        let launch = Launch::new(sin, cos, epsilon);
-        let step = step(&launch, cos_theta, sin_beta, cos_beta.hi);
-
-        let half_square = 0.5 * step * step;
-        let turn = |along: DoubleDouble, across: DoubleDouble| {
-            let cube = half_square * step * (1.0 / 3.0);
-            let change = step * across.hi - half_square * along.hi - cube * across.hi;
-            fast_two_sum(along.hi, along.lo + change)
-        };
-        let (sin, cos) = (turn(sin, cos), turn(cos, sin.neg()));
-        Elevated { sin_theta, cos_theta, sin, cos, epsilon, mirrored, theta, beta, step }
-    }
-
-    /// The launch.
-    #[inline(always)]
-    pub fn launch(&self) -> Launch {
-        let cos = DoubleDouble::select(self.mirrored, self.cos.neg(), self.cos);
-        Launch::new(self.sin, cos, self.epsilon)
+        let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
+        let up = sin_theta.add_smaller(cos_theta.times_double(tau));
+        let step = step(sin_theta.hi, cos_theta, tau, up, epsilon);
+        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, step }
     }
 
     /// α in [0, π]
     #[inline(always)]
     pub fn launch_angle(&self) -> f64 {
         let sign = select(self.mirrored, -1.0, 1.0);
-        let sum = two_sum(self.theta, sign * self.beta);
-        sum.hi + (sum.lo + sign * self.step)
+        let z = self.tau * self.tau;
+        let tail = self.tau * z * polynomial(z, &SMALL_ATAN_TAIL);
+        let sum = fast_two_sum(self.theta, sign * self.tau);
+        sum.hi + (sum.lo + sign * (self.step + tail))
     }
 
-    /// `cos α / cos θ`, which is √(cos²α + G² sin²α)
+    /// sin α and |cos α|
     #[inline(always)]
-    pub fn cos_ratio(&self) -> DoubleDouble {
-        self.cos.div(self.cos_theta)
+    pub fn direction(&self) -> (DoubleDouble, DoubleDouble) {
+        // 1/√(1 + τ²), from its rounded value; the residuals are of the root and of the division
+        let square = two_square(self.tau);
+        let sum = fast_two_sum(1.0, square.hi);
+        let root = sqrt(sum.hi);
+        let inverse = 1.0 / root;
+        let root_square = two_square(root);
+        let root_rest =
+            (((sum.hi - root_square.hi) - root_square.lo) + (sum.lo + square.lo)) * (0.5 * inverse);
+        let one = two_product(root, inverse);
+        let rest = ((1.0 - one.hi) - one.lo) - inverse * root_rest;
+        let cos_beta = DoubleDouble { hi: inverse, lo: inverse * rest };
+        let along = self.cos_theta.sub_smaller(self.sin_theta.times_double(self.tau));
+        let (sin, cos) = (self.up.times(cos_beta), along.times(cos_beta));
+        let half_square = 0.5 * self.step * self.step;
+        let cube = half_square * self.step * (1.0 / 3.0);
+        let turn = |along: DoubleDouble, across: DoubleDouble| {
+            let change = self.step * across.hi - half_square * along.hi - cube * across.hi;
+            fast_two_sum(along.hi, along.lo + change)
+        };
+        (turn(sin, cos), turn(cos, sin.neg()))
+    }
+
+    /// The launch.
+    #[inline(always)]
+    pub fn launch(&self) -> Launch {
+        let (sin, cos) = self.direction();
+        Launch::new(sin, DoubleDouble::select(self.mirrored, cos.neg(), cos), self.epsilon)
     }
 
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
     #[inline(always)]
     fn radius(&self) -> f64 {
-        let q = self.sin.times_double(self.epsilon).add_positive(1.0);
-        self.sin.times(self.cos).quotient(q.mul(self.cos_theta))
+        let (sin, cos) = self.direction();
+        let q = sin.times_double(self.epsilon).add_positive(1.0);
+        sin.times(cos).quotient(q.times(self.cos_theta))
     }
 }
 
-/// β to 2⁻¹⁵ or better.
+/// τ to 2⁻¹⁷ of sin α or better.
 #[inline(always)]
-fn rough_beta(sin_theta: f64, cos_theta: f64, epsilon: f64) -> f64 {
-    let (sin2, cos2) = (sin_theta * sin_theta, cos_theta * cos_theta);
-    let v = epsilon * sin_theta;
-    // u = v/√(sin²θ + g² cos²θ), as 1/(1 + u)
-    let root = sqrt(sin2 + 0.49 * cos2);
-    let x = root / (root + v);
-    let g = polynomial(x, &ROUGHER_GAIN_TOP) / polynomial(x, &ROUGHER_GAIN_BOTTOM);
+fn rough_tan(sin: f64, cos: f64, epsilon: f64) -> f64 {
+    /// A value of G to begin with.
+    const GAIN: f64 = 0.7;
+    let (sin2, cos2) = (sin * sin, cos * cos);
+    // where G differs from 1 by less than anything, no power of v overflows
+    let v = select(epsilon * sin > 1e60, 1e60, epsilon * sin);
+
+    // u = v/√stretch and 1/(1 + u) = root/whole; the root is right to a hundredth
+    let stretch = sin2 + GAIN * GAIN * cos2;
+    let root = 1.00662 - 0.3 * cos2;
+    let whole = root + v;
+    let powers = |c: &[f64; 3]| (c[0] * whole + c[1] * root) * whole + c[2] * (root * root);
+    let (top, bottom) = (powers(&ROUGHER_GAIN_TOP), powers(&ROUGHER_GAIN_BOTTOM));
+    // u G′(u) is nearly 1.7 (G − 1/2)(1 − G); d/dg of G(u(g)) is −u G′ g cos²θ/stretch
+    let slope = 1.7 * (top - 0.5 * bottom) * (bottom - top);
+    let g = GAIN
+        + (top - GAIN * bottom) * bottom * stretch
+            / (bottom * bottom * stretch + slope * (GAIN * cos2));
+
     let stretch = sin2 + g * g * cos2;
     let root = sqrt(stretch);
-    let x = root / (root + v);
+    let x = sqrt(root / (root + v));
     let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
-    let gain = polynomial(x, &ROUGH_GAIN_TOP);
+    let top = polynomial(x, &ROUGH_GAIN_TOP);
     let slope = polynomial(x, &ROUGH_GAIN_SLOPE);
-    // d/dg of G(u(g)) is −a g cos²θ / (sin²θ + g² cos²θ); gain and slope carry the same bottom
-    let g = g + (gain - g * bottom) * stretch / (bottom * stretch + slope * (g * cos2));
-    let tan = (1.0 - g) * (sin_theta * cos_theta) / (g * cos2 + sin2);
-    tan * polynomial(tan * tan, &ROUGH_ATAN)
+    // gain and slope carry the same bottom, and g the one that the step divides by
+    let divisor = bottom * stretch + slope * (g * cos2);
+    let g = g * divisor + (top - g * bottom) * stretch;
+    (divisor - g) * (sin * cos) / (g * cos2 + divisor * sin2)
 }
 
-/// The step from β to the root of `F(β) = cos θ sin α (1 − G) − sin β`, α = θ + β, of fourth order.
+/// The step of third order from α₀ = θ + β₀ to the solution of `α = arctan(tan θ / G)`.
 ///
-/// On functions of u, u d/du is tan α d/dα; with e = u da/du and h = u de/du that gives the
-/// derivatives of sin α (1 − G). They grow with 1/sin α and 1/sin²α, the step shrinks with sin α: it
-/// is computed in units of sin α.
+/// For functions of u, u d/du is tan α d/dα; with e = u da/du that gives the first two derivatives
+/// of G, which grow with 1/sin α and 1/sin²α, while the step shrinks with sin α: it is computed in
+/// units of sin α. All divisions are one.
 #[inline(always)]
-fn step(launch: &Launch, cos_theta: DoubleDouble, sin_beta: DoubleDouble, cos_beta: f64) -> f64 {
-    let drag = Drag::<f64>::at(launch.u);
+fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, epsilon: f64) -> f64 {
+    let secant_square = 1.0 + tau * tau;
+    let cos_beta = 1.0 / sqrt(secant_square);
+    let sin_alpha = up.hi * cos_beta;
+    let cos_alpha = (cos.hi - tau * sin) * cos_beta;
+    let u = epsilon * sin_alpha;
+    let drag = Drag::<f64>::at(DoubleDouble::from(u));
     let Drag { sigma, sigma_rest, rho, a } = drag;
-    // 1 − G is (1 + (1 + u) a)/(2 + u)
-    let rest = fast_two_sum(1.0, (1.0 + launch.u.round()) * a);
-    let product = cos_theta.times(launch.sin).times(rest).div(launch.q_plus_one());
-    let value = (product.hi - sin_beta.hi) + (product.lo - sin_beta.lo);
-    let rest = drag.gain_rest();
-    let (cos_theta, sin, cos) = (cos_theta.hi, launch.sin.hi, launch.cos.hi);
-    // a, e and h are spread times ρ and these
-    let spread = sigma * sigma_rest;
-    let inverse = 1.0 / (1.0 + sigma);
-    let e = inverse - (1.0 + sigma_rest) * rho;
-    let h = (1.0 - 2.0 * sigma) * e + spread * (rho - inverse * inverse)
-        - (1.0 + sigma_rest) * (inverse - 3.0 * sigma_rest * rho);
 
-    let (sin2, cos2) = (sin * sin, cos * cos);
-    let bend = spread * (rho + e);
-    let first = cos_theta * cos * (rest - a) - cos_beta;
-    let second = sin * sin_beta.hi - cos_theta * (sin2 * (rest - a) + cos2 * bend);
-    let third = sin2 * cos_beta
-        - cos_theta * cos * (sin2 * ((rest - a) - 3.0 * bend) - cos2 * (spread * (rho - h)));
-    let inverse = 1.0 / first;
-    let t = -value / select(sin > 0.0, sin, 1.0) * inverse;
-    let quadratic = 0.5 * second * inverse;
-    let cubic = (1.0 / 6.0) * third * inverse;
-    sin * (t - t * t * (quadratic - t * (2.0 * quadratic * quadratic - cubic)))
+    // how far τ is from the right side: 1 − G is (1 + (1 + u) a)/(2 + u)
+    let rest = two_sum_positive(1.0, (1.0 + u) * a);
+    let divisor = two_sum_positive(u, 2.0);
+    let product = up.times(cos).times(rest).div_by(divisor, 0.5 * sigma_rest);
+    let value = (product.hi - tau) + product.lo;
+    let cos = cos.hi;
+    let (cos2, gain_rest) = (cos * cos, drag.gain_rest());
+    let gain = 1.0 - gain_rest;
+    let bottom = (1.0 - gain_rest * cos2) * secant_square + tau * value;
+    let stretch = sin * sin + gain * gain * cos2;
+    // 1 less the derivative of the right side by α, times what makes it positive
+    let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
+    let slope = select(slope > 0.0, slope, 1.0);
+
+    let sigma_plus_one = 1.0 + sigma;
+    let (left, right) = (bottom * slope, stretch * sigma_plus_one);
+    let inverse = 1.0 / (left * right);
+    let (by_left, by_right) = (right * inverse, left * inverse);
+    // the angle between two tangents
+    let residual = value * (by_left * slope);
+    let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
+    let by_slope = by_left * bottom;
+    let e = sigma * sigma_rest * (by_right * stretch - (1.0 + sigma_rest) * rho);
+    let turned = a * cos_alpha;
+    let bend = e * (cos_alpha * cos_alpha)
+        - a
+        - 2.0 * gain * (turned * turned) * (cos2 * (by_right * sigma_plus_one));
+    let newton = residual * stretch * by_slope;
+    let quadratic = 0.5 * bend * (sin * cos * by_slope);
+    sin_alpha * (newton - newton * newton * quadratic)
 }
 
 /// Launch angle α in [0, π] of the shot whose apex is seen at elevation θ: the inverse of [Eq. 10].

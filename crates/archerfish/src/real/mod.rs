@@ -27,7 +27,7 @@ pub(crate) use atan::angle;
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 pub(crate) use polynomial::polynomial;
-pub(crate) use trigonometric::{sin_cos_extended, sin_cos_reduced, sin_cos_upper};
+pub(crate) use trigonometric::{sin_cos_extended, sin_cos_upper};
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
 #[inline(always)]

@@ -36,7 +36,7 @@ const HALF_PI: [f64; 3] = [
 
 /// `sin r` and `cos r` for |r| ≤ π/4, each to 2⁻⁵⁶ of itself.
 #[inline(always)]
-pub(crate) fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let DoubleDouble { hi: z, lo: z_low } = two_square(r.hi);
     // the leading term −r³/6 apart: it is a seventh of sin r, and its roundings are felt
     let cube = r.hi * z;
