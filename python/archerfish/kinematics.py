@@ -23,6 +23,7 @@ from archerfish.zeros import FloatArray, zero_between
 
 #: In place of no drag where a formula divides by it: it changes a result by less than 1e-19.
 _LEAST_DRAG = 1e-20
+_UPRIGHT = np.pi / 2
 
 
 def array(value: npt.ArrayLike) -> FloatArray:
@@ -51,14 +52,26 @@ def fall(time: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
 def time_of_drift(distance: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
     """The t at which D(t) is `distance`: −ln(1 − bD)/b. NaN where D never gets there.
 
+    That is the time to the apex of an upright shot whose drag parameter is bD/(1 − bD).
+
     >>> float(time_of_drift(drift(2.0, 0.5), 0.5).round(12))
     2.0
     """
     distance, drag_rate = array(distance), array(drag_rate)
-    share = np.maximum(distance * drag_rate, _LEAST_DRAG)
+    share = distance * drag_rate
+    left = 1 - share
     with np.errstate(invalid="ignore", divide="ignore"):
-        time = distance * (-np.log1p(-share) / share)
+        time = distance / left * climb_time(share / left)
     return np.where((distance >= 0) & (share < 1), time, np.nan)
+
+
+def climb_time(drag_parameter: npt.ArrayLike) -> FloatArray:
+    """ln(1 + ε)/ε, the time to the apex of an upright shot, in units of the drag-free time.
+
+    >>> float(climb_time(0.0))
+    1.0
+    """
+    return array(_core.apex_time(_UPRIGHT, drag_parameter))
 
 
 def time_of_fall(depth: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:

@@ -6,7 +6,7 @@ from ε = 0 to 1e300. Symbols are those of the paper (H. Hernández-Saldaña, Eu
 s = sin α, u = ε s, q = 1 + u; lengths in V₀²/g, times in V₀/g.
 
 The conditions are written so that nothing cancels, neither as ε → 0 nor as ε → ∞: sums of terms
-that stay of the size of 1. They hold the only formulas of motion outside the Rust core.
+that stay of the size of 1. DESIGN.md says what else is put together in Python, and why.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from archerfish import _core
+from archerfish.kinematics import drift, fall
 from archerfish.values import Quantity, not_negative
 from archerfish.zeros import FloatArray, least_value, zero_between
 
@@ -101,31 +102,26 @@ def greatest_range_angle(epsilon: npt.ArrayLike) -> Quantity:
 def receding_angle(epsilon: npt.ArrayLike) -> Quantity:
     """Launch angle α up to which the distance from the launcher never stops growing, in radians.
 
-    Distance grows while x ẋ + y ẏ > 0. With w = εt and the E₁, E₂ of the flight equations, this
-    says s < (E₁e^{−w} + t²E₁E₂) / (t(E₁² + E₂e^{−w})): α is the angle of the least value over t.
+    Distance grows while x ẋ + y ẏ > 0. With the drift D and the fall F of the flight equations this
+    says sin α < D (e^{−εt} + F)/(D² + F e^{−εt}): α is the angle of the least value over t.
 
     >>> bool(np.isclose(np.sin(receding_angle(0.0)), np.sqrt(8) / 3, rtol=1e-15))
     True
     """
     eps = np.asarray(not_negative("epsilon", epsilon))
+    # Time in units of 1/(1 + ε), which keeps D and F of the size of 1.
+    scale = 1 + eps
+    drag = eps / scale
 
     def bound(time: FloatArray) -> FloatArray:
-        w = eps * time
+        moved, fallen, w = drift(time, drag), fall(time, drag), drag * time
         decay = np.exp(-w)
-        # E₁ = (1 − e^{−w})/w and E₂ = (w − 1 + e^{−w})/w², with their limits 1 and 1/2 at w = 0.
-        lost = np.expm1(-w)
-        with np.errstate(invalid="ignore"):
-            e1 = np.where(w > 0, -lost / w, 1.0)
-            # ln(1 + lost) is −w: log1pmx keeps the digits of a small w, plain w those of a large.
-            shortfall = np.where(w > 1, w + lost, -_core.log1pmx(np.maximum(lost, -0.75)))
-            e2 = np.where(w > 0, shortfall / w / w, 0.5)
-        # e^{−w}/t, where e^{−w} alone may underflow.
-        soon = np.where(w < 700, decay / time, np.exp(-w - np.log(time)))
-        return np.asarray(e1 * (soon + time * e2) / (e1 * e1 + e2 * decay))
+        # The decay times the scale, where the decay alone may underflow.
+        soon = np.where(w < 700, scale * decay, np.exp(np.log(scale) - w))
+        return np.asarray((soon + fallen / scale) / (moved + fallen / moved * decay))
 
     # The least value lies at t = √2 without drag, at 2 ln(ε)/ε for strong drag.
-    shortest = 1 / (1 + eps)
-    sine = least_value(bound, shortest, 2 * (2 + np.log1p(eps)) * shortest)
+    sine = least_value(bound, np.ones_like(scale), 2 * (2 + np.log(scale)))
     return _number(np.arcsin(sine))
 
 

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from archerfish import _core
 from archerfish.kinematics import (
     array,
+    climb_time,
     drift,
     fall,
     time_of_descent,
@@ -453,7 +454,7 @@ def _times_in_wind(
     # A headwind turns the projectile round where its velocity along x is 0.
     headwind = pull < 0
     ratio = np.where(headwind, speed / -pull, np.inf)
-    turn = np.where(headwind, np.log1p(drag * ratio) / drag, 1e150)
+    turn = np.where(headwind, ratio * climb_time(drag * ratio), 1e150)
 
     def gone(time: FloatArray) -> FloatArray:
         return speed * drift(time, drag) + pull * fall(time, drag)
