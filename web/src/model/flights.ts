@@ -65,22 +65,23 @@ export class Instants {
     }
   }
 
-  /** Places a shot at each instant before its landing at `range`, and there. */
-  place(flight: Flight, cosine: number, sine: number, landing: number, range: number): void {
+  /** Places a shot at each instant, or each second one, before its landing at `range`, and there. */
+  place(flight: Flight, cosine: number, sine: number, landing: number, range: number, step = 1): void {
     const { x, y } = flight;
     const [time, radius, height] = [this.#time.values, this.#radius.values, this.#height.values];
-    let index = 0;
-    for (; index < POINTS && time[index] < landing; index += 1) {
-      x[index] = cosine * radius[index];
-      y[index] = sine * radius[index] + height[index];
+    let count = 0;
+    for (let index = 0; index < time.length && time[index] < landing; index += step) {
+      x[count] = cosine * radius[index];
+      y[count] = sine * radius[index] + height[index];
+      count += 1;
     }
-    x[index] = range;
-    y[index] = 0;
-    flight.count = index + 1;
+    x[count] = range;
+    y[count] = 0;
+    flight.count = count + 1;
   }
 }
 
-/** The shots of Figure 1. */
+/** The shots of Figure 1: thin lines, for which half of the instants will do. */
 export class Fan {
   readonly flights = FAN_ANGLES.map(() => new Flight());
   readonly #kernels: Kernels;
@@ -108,7 +109,7 @@ export class Fan {
     functions.flight_range(this.#angles, this.#epsilons, this.#ranges);
     const [landings, ranges] = [this.#landings.values, this.#ranges.values];
     for (let shot = 0; shot < this.flights.length; shot += 1) {
-      instants.place(this.flights[shot], this.#cosines[shot], this.#sines[shot], landings[shot], ranges[shot]);
+      instants.place(this.flights[shot], this.#cosines[shot], this.#sines[shot], landings[shot], ranges[shot], 2);
     }
     return this;
   }

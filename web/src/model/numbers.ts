@@ -72,6 +72,6 @@ const LENGTH_UNITS: readonly (readonly [string, number])[] = [
 
 /** The unit in which a length, in metres, is from 1 to 1000 (2 to 2000 from metres on). */
 export function lengthUnit(length: number): readonly [string, number] {
-  const fitting = LENGTH_UNITS.filter(([, metres]) => metres <= length);
+  const fitting = LENGTH_UNITS.filter(([, metres]) => metres <= Math.abs(length));
   return fitting.at(-1) ?? LENGTH_UNITS[0];
 }

@@ -49,6 +49,10 @@ export interface Placement {
   readonly yShift?: number;
 }
 
+/** Pixels: the longest chord of a curve, and how far it may be from the tangent at its start (a quarter of that from the curve). */
+const LONGEST = 10;
+const DEVIATION = 0.2;
+
 const SVG = "http://www.w3.org/2000/svg";
 let charts = 0;
 
@@ -70,13 +74,15 @@ export class Chart {
   readonly #still: SVGGElement;
   readonly #clip: SVGRectElement;
   readonly #clipName = `clip-${(charts += 1)}`;
-  readonly #canvas: HTMLCanvasElement;
+  readonly #screen = canvasContext();
   /** The curves without what the shot moves, kept once the shot moves alone. */
-  readonly #kept: HTMLCanvasElement;
+  readonly #kept = canvasContext();
   #isKept = false;
   #axisLabels: { x: string; y: string };
   #extent: Extent = { x: [0, 1], y: [0, 1] };
   #layers: Layers | undefined;
+  /** Of the axes: a frame of another size is another frame. */
+  #frame = "";
   #keys = { axes: "", still: "", curves: "", live: "" };
 
   constructor(host: HTMLElement, colors: Palette, options: ChartOptions) {
@@ -84,8 +90,6 @@ export class Chart {
     this.colors = colors;
     this.#options = options;
     this.#axisLabels = { x: options.x.label, y: options.y.label };
-    this.#canvas = document.createElement("canvas");
-    this.#kept = document.createElement("canvas");
     this.#back = document.createElementNS(SVG, "svg");
     this.#back.setAttribute("aria-hidden", "true");
     this.#axes = document.createElementNS(SVG, "g");
@@ -99,7 +103,7 @@ export class Chart {
     this.#axes.innerHTML = '<g></g><g></g><path class="frame"/><text class="right"/><text class="up"/>';
     [this.#bottom, this.#side] = [...this.#axes.children] as [SVGGElement, SVGGElement];
     this.#back.append(clipPath, this.#axes, this.#still);
-    host.append(this.#back, this.#canvas, this.handles);
+    host.append(this.#back, this.#screen.canvas, this.handles);
   }
 
   get margin(): { top: number; right: number; bottom: number; left: number } {
@@ -119,24 +123,31 @@ export class Chart {
     const font = parseFloat(getComputedStyle(this.host).fontSize);
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const same = clientWidth === this.width && clientHeight === this.height && font === this.fontSize;
-    if (same && this.#canvas.width === Math.round(clientWidth * ratio)) return false;
+    if (same && this.#screen.canvas.width === Math.round(clientWidth * ratio)) return false;
     [this.width, this.height, this.fontSize] = [clientWidth, clientHeight, font];
-    for (const canvas of [this.#canvas, this.#kept]) {
-      canvas.width = Math.round(clientWidth * ratio);
-      canvas.height = Math.round(clientHeight * ratio);
-      canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    for (const context of [this.#screen, this.#kept]) {
+      context.canvas.width = Math.round(clientWidth * ratio);
+      context.canvas.height = Math.round(clientHeight * ratio);
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
     }
     // Pixel for pixel: a box of broken width would blur it.
-    this.#canvas.style.width = `${clientWidth}px`;
-    this.#canvas.style.height = `${clientHeight}px`;
+    const { canvas } = this.#screen;
+    canvas.style.width = `${clientWidth}px`;
+    canvas.style.height = `${clientHeight}px`;
     this.#back.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     this.#forget();
     return true;
   }
 
+  /** What the axes span, and what stands at them. */
   frame(extent: Extent, labels: { x?: string; y?: string } = {}): void {
+    const { x = this.#options.x.label, y = this.#options.y.label } = labels;
+    const frame = `${extent.x} ${extent.y} ${x} ${y}`;
+    if (frame === this.#frame) return;
+    this.#forget();
+    this.#frame = frame;
     this.#extent = extent;
-    this.#axisLabels = { ...this.#axisLabels, ...labels };
+    this.#axisLabels = { x, y };
     const { top, left } = this.margin;
     const { width, height } = this.plot;
     this.x.domain([...extent.x]).range([left, left + width]);
@@ -146,24 +157,22 @@ export class Chart {
   /** Draws what is not as it was the last time. */
   show(layers: Layers): void {
     this.#layers = layers;
-    const axes = `${this.#extent.x} ${this.#extent.y} ${this.#axisLabels.x} ${this.#axisLabels.y}`;
-    if (axes !== this.#keys.axes) {
-      this.#forget();
-      this.#drawAxes();
-      this.#keys.axes = axes;
-    }
     const keys = this.#keys;
+    if (this.#frame !== keys.axes) {
+      keys.axes = this.#frame;
+      this.#drawAxes();
+    }
     if (layers.still.key !== keys.still) {
       keys.still = layers.still.key;
       this.#still.innerHTML = this.#asSvg(layers.still);
     }
     if (layers.curves.key !== keys.curves) {
       this.#isKept = false;
-      this.#paint(this.#canvas, layers.curves, layers.live);
+      this.#paint(this.#screen, layers.curves, layers.live);
     } else if (layers.live.key !== keys.live) {
       if (!this.#isKept) this.#paint(this.#kept, layers.curves);
       this.#isKept = true;
-      this.#paint(this.#canvas, this.#kept, layers.live);
+      this.#paint(this.#screen, this.#kept, layers.live);
     }
     keys.curves = layers.curves.key;
     keys.live = layers.live.key;
@@ -186,15 +195,13 @@ export class Chart {
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
-  /** A curve through points, those within a pixel of the last dropped. */
+  /** A curve through points, but for those that the eye would not miss. */
   curve(
     pen: Pen,
     xs: ArrayLike<number>,
     ys: ArrayLike<number>,
     { from = 0, to = xs.length, xScale = 1, yScale = 1, xShift = 0, yShift = 0 }: Placement = {},
   ): void {
-    // SVG keeps fewer points: chords of two pixels stay within a hundredth of one of the curve.
-    const tolerance = pen instanceof CanvasRenderingContext2D ? 1 : 2;
     const [x0 = 0, x1 = 1] = this.x.range();
     const [y0 = 0, y1 = 1] = this.y.range();
     const { x, y } = this.#extent;
@@ -202,16 +209,32 @@ export class Chart {
     const yPixels = (y1 - y0) / (y[1] - y[0]);
     const [xFactor, xOffset] = [xPixels * xScale, x0 + xPixels * (xShift - x[0])];
     const [yFactor, yOffset] = [yPixels * yScale, y0 + yPixels * (yShift - y[0])];
+    // The hot loop of a frame: plain numbers only.
     let lastX = NaN;
     let lastY = NaN;
+    let alongX = NaN;
+    let alongY = NaN;
     for (let index = from; index < to; index += 1) {
-      // Far outside the frame a canvas loses its grip on the slope; the clip hides the difference.
-      const px = Math.max(-9999, Math.min(9999, xs[index] * xFactor + xOffset));
-      const py = Math.max(-9999, Math.min(9999, ys[index] * yFactor + yOffset));
-      if (Math.abs(px - lastX) < tolerance && Math.abs(py - lastY) < tolerance && index < to - 1) continue;
+      const px = xs[index] * xFactor + xOffset;
+      const py = ys[index] * yFactor + yOffset;
+      const dx = px - lastX;
+      const dy = py - lastY;
+      const far = dx * dx + dy * dy;
+      if (index < to - 1) {
+        if (far < 1) continue;
+        // Nearly straight on from the last chord, and near: the next point will do.
+        const aside = alongX * dy - alongY * dx;
+        if (far < LONGEST * LONGEST && aside < DEVIATION && aside > -DEVIATION) continue;
+      }
       if (Number.isNaN(px + py)) continue;
-      if (Number.isNaN(lastX)) pen.moveTo(px, py);
-      else pen.lineTo(px, py);
+      // Far outside the frame a canvas loses its grip on the slope; the clip hides the difference.
+      const atX = Math.max(-9999, Math.min(9999, px));
+      const atY = Math.max(-9999, Math.min(9999, py));
+      if (Number.isNaN(lastX)) pen.moveTo(atX, atY);
+      else pen.lineTo(atX, atY);
+      const length = Math.sqrt(far);
+      alongX = dx / length;
+      alongY = dy / length;
       lastX = px;
       lastY = py;
     }
@@ -261,6 +284,7 @@ export class Chart {
   }
 
   #forget(): void {
+    this.#frame = "";
     this.#keys = { axes: "", still: "", curves: "", live: "" };
     this.#isKept = false;
   }
@@ -271,9 +295,7 @@ export class Chart {
     return painter.parts.join("");
   }
 
-  #paint(canvas: HTMLCanvasElement, ...parts: (Layer | HTMLCanvasElement)[]): void {
-    const context = canvas.getContext("2d");
-    if (!context) return;
+  #paint(context: CanvasRenderingContext2D, ...parts: (Layer | CanvasRenderingContext2D)[]): void {
     context.clearRect(0, 0, this.width, this.height);
     context.save();
     const { top, left } = this.margin;
@@ -282,7 +304,7 @@ export class Chart {
     context.rect(left - 1, top - 1, this.plot.width + 2, this.plot.height + 2);
     context.clip();
     for (const part of parts) {
-      if (part instanceof HTMLCanvasElement) context.drawImage(part, 0, 0, this.width, this.height);
+      if (part instanceof CanvasRenderingContext2D) context.drawImage(part.canvas, 0, 0, this.width, this.height);
       else part.draw(new CanvasPainter(context));
     }
     context.restore();
@@ -321,6 +343,12 @@ export class Chart {
       label.attr("font-size", font).attr("font-family", FONT).attr("fill", ink).text(text);
     }
   }
+}
+
+function canvasContext(): CanvasRenderingContext2D {
+  const context = document.createElement("canvas").getContext("2d");
+  if (!context) throw new Error("this browser has no canvas to draw on");
+  return context;
 }
 
 function ticked(

@@ -41,6 +41,7 @@ export class Explorer {
   readonly timings = { computing: 0, drawing: 0, interactive: 0, resting: false };
   #formulas: Formulas | undefined;
   #colors: Palette;
+  #complaint: string | undefined;
   #asked = false;
   #resized = true;
   #rest = 0;
@@ -104,6 +105,8 @@ export class Explorer {
 
   /** Shows a sentence above the page, or none. */
   complain(sentence: string | undefined): void {
+    if (sentence === this.#complaint) return;
+    this.#complaint = sentence;
     const message = byId("message");
     message.hidden = sentence === undefined;
     const place = message.querySelector("p");
@@ -154,19 +157,21 @@ export class Explorer {
    */
   #placeHandles(scene: Scene, all: boolean): void {
     const { state, apex, scales } = scene;
+    const used = document.activeElement;
+    const moves = (handle: Handle): boolean => all || handle.element === used;
     const max = state.sides === "both" ? 180 : 90;
     const { apex: atApex, direction } = this.#handles;
     const turned = `launch angle ${short(state.angle, 5)} degrees`;
-    if (all || atApex.focused) {
+    if (moves(atApex)) {
       const elevation = degrees(apex.elevation);
       const where = `${short(apex.x * scales.length, 4)} m away, ${short(apex.y * scales.length, 4)} m high`;
       const text = `elevation ${short(elevation, 4)} degrees, ${where}`;
       atApex.place(this.#main.places(scene).apex, elevation, max, text);
     }
-    if (all || direction.focused) direction.place(this.#main.places(scene).direction, state.angle, max, turned);
+    if (moves(direction)) direction.place(this.#main.places(scene).direction, state.angle, max, turned);
     this.#panels.forEach((panel, index) => {
       const cursor = this.#cursors[index];
-      if (!all && !cursor.focused) return;
+      if (!moves(cursor)) return;
       if (panel instanceof NamedPanel) {
         cursor.place(panel.place(scene), scales.epsilon, 1000, `epsilon ${short(scales.epsilon)}`);
       } else cursor.place(panel.place(scene), state.angle, max, turned);

@@ -39,11 +39,6 @@ export class Handle {
     parent.append(this.element);
   }
 
-  /** Whether it is in use. */
-  get focused(): boolean {
-    return this.element === document.activeElement;
-  }
-
   place([x, y]: readonly [number, number], value: number, max: number, text: string): void {
     this.element.style.transform = `translate(${x.toFixed(2)}px,${y.toFixed(2)}px)`;
     setAttribute(this.element, "aria-valuemax", String(max));

@@ -233,7 +233,8 @@ export class NamedPanel implements Panel {
       x: {
         label: "drag parameter ε",
         ticks: () => Array.from({ length: high - low + 1 }, (_, index) => low + index),
-        format: (decade) => (decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`),
+        // Every second one: more would touch.
+        format: (decade) => (decade === 0 ? "1" : decade % 2 === 0 ? `10${superscript(decade)}` : ""),
       },
       y: { label: "launch angle α (°)", ticks: angleTicks },
       leftMargin: 2.5,

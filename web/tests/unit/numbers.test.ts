@@ -70,5 +70,8 @@ describe("parsed", () => {
 });
 
 it("chooses the unit in which a length is at least 1", () => {
-  expect([2e-9, 5e-4, 0.02, 3, 2e4].map((length) => lengthUnit(length)[0])).toEqual(["nm", "µm", "mm", "m", "km"]);
+  const units = ["nm", "µm", "mm", "m", "km"];
+  for (const side of [1, -1]) {
+    expect([2e-9, 5e-4, 0.02, 3, 2e4].map((length) => lengthUnit(side * length)[0])).toEqual(units);
+  }
 });
