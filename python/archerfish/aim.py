@@ -25,7 +25,7 @@ from archerfish.kinematics import (
     time_of_fall,
 )
 from archerfish.shot import Apex, Shot, Vector, record, wind_vector
-from archerfish.values import Quantity, Value, finite, frozen, not_negative, positive
+from archerfish.values import Quantity, Value, finite, frozen, not_negative, positive, real
 from archerfish.zeros import FloatArray, zero_between
 
 if TYPE_CHECKING:
@@ -209,7 +209,7 @@ def aim(
     in_space = z is not None or (
         wind is not None and not isinstance(wind, Vector) and len(wind) > 2
     )
-    target = record(Vector, x=x, y=y, z=0.0 if z is None else z)
+    target = _target(x, y, z)
     height, air = finite("height", height), wind_vector(wind)
     speed, gravity, drag = np.broadcast_arrays(
         array(launcher.speed), array(launcher.gravity), array(launcher.drag_rate)
@@ -264,12 +264,23 @@ def minimum_speed(
     >>> round(minimum_speed(3.0, 4.0, gravity=10.0, drag_rate=0.0) ** 2, 12)  # g (y + r)
     90.0
     """
-    target = record(Vector, x=x, y=y, z=0.0 if z is None else z)
+    target = _target(x, y, z)
     drag = array(not_negative("drag rate", drag_rate))
     pull = array(positive("gravity", gravity))
     with np.errstate(all="ignore"):
         plane = _plane(target, finite("height", height), wind_vector(wind), pull, drag)
         return frozen(_minimum_speed(plane, drag))
+
+
+def _target(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None) -> Vector:
+    """Targets as vectors; NaN is welcome, what is no number is not."""
+    places = {"x": x, "y": y, "z": 0.0 if z is None else z}
+    numbers = {name: real(f"target {name}", place) for name, place in places.items()}
+    try:
+        return record(Vector, **numbers)
+    except ValueError:
+        shapes = ", ".join(f"{name} {np.shape(place)}" for name, place in numbers.items())
+        raise ValueError(f"targets must broadcast, got {shapes}") from None
 
 
 def _plane(
@@ -283,16 +294,20 @@ def _plane(
         return np.stack([np.broadcast_to(array(each), shape) for each in components])
 
     upward = vector(-drag * wind.x, gravity - drag * wind.y, -drag * wind.z)
-    strength = np.sqrt(np.sum(upward * upward, axis=0))
+    strength = _length(upward)
     up = upward / strength
     place = vector(target.x, np.subtract(target.y, height), target.z)
     rise = np.sum(place * up, axis=0)
     across = place - rise * up
-    distance = np.sqrt(np.sum(across * across, axis=0))
+    distance = _length(across)
     # A target straight along the pull: any direction across it will do; this is one in x, y.
     beside = np.stack([up[1], -up[0], np.zeros(shape)]) / np.hypot(up[0], up[1])
     forward = np.where(distance > 0, across / distance, beside)
     return _Plane(forward, up, distance, rise, strength)
+
+
+def _length(vector: FloatArray) -> FloatArray:
+    return np.asarray(np.hypot(np.hypot(vector[0], vector[2]), vector[1]))
 
 
 def _direction(plane: _Plane, angle: FloatArray, in_space: bool) -> tuple[FloatArray, FloatArray]:

@@ -96,5 +96,6 @@ class Front(Value):
 def front(launcher: Launcher, time: npt.ArrayLike) -> Front:
     """What `Launcher.front` does."""
     drag = launcher.drag_rate
-    radius = launcher.speed * drift(time, drag)
-    return record(Front, x=0.0, y=-(launcher.gravity * fall(time, drag)), radius=radius)
+    with np.errstate(invalid="ignore"):
+        radius, fallen = launcher.speed * drift(time, drag), launcher.gravity * fall(time, drag)
+    return record(Front, x=0.0, y=-fallen, radius=radius)

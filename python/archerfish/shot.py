@@ -294,6 +294,7 @@ class Shot(Value):
         with np.errstate(all="ignore"):
             # Over level ground and without wind the ufunc has the last digits, too.
             plain = (array(self.height) == self.ground) & (self.wind == _CALM_VECTOR)
+            plain = plain & (array(self.angle) >= 0)
             if np.any(plain):
                 reach = _core.flight_range(self.angle, eps) * length
                 x = np.where(plain, reach * np.cos(self.azimuth), x)
@@ -436,7 +437,10 @@ def wind_vector(wind: Any) -> Vector:
     """`wind` as a vector: nothing, two components (x, y) or three (x, y, z), in m/s."""
     if isinstance(wind, Vector):
         return wind
-    parts = CALM if wind is None else tuple(wind)
+    try:
+        parts = CALM if wind is None else tuple(wind)
+    except TypeError:
+        raise TypeError(f"wind must be (x, y) or (x, y, z) in m/s, got {wind!r}") from None
     if len(parts) not in (2, 3):
         raise ValueError(f"wind must have 2 or 3 components, got {len(parts)}")
     names = ("wind x", "wind y", "wind z")

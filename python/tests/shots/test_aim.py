@@ -187,3 +187,15 @@ def test_impact_is_the_landing_of_a_shot_at_that_height():
     assert landing.time == pytest.approx(arcs.high.time, rel=1e-13)
     assert landing.speed == pytest.approx(arcs.high.impact_speed, rel=1e-13)
     assert landing.angle == pytest.approx(arcs.high.impact_angle, rel=1e-13)
+
+
+def test_targets_that_are_none():
+    launcher = Launcher(10.0, epsilon=0.1)
+    with pytest.raises(TypeError, match=r"^target x must be a real number .* got 'a'$"):
+        launcher.aim("a", 0.0)
+    with pytest.raises(
+        ValueError, match=r"^targets must broadcast, got x \(2,\), y \(3,\), z \(\)$"
+    ):
+        launcher.aim([1.0, 2.0], [1.0, 2.0, 3.0])
+    # So near that its square is nothing: V² = g x all the same.
+    assert launcher.minimum_speed(1e-200, 0.0) == pytest.approx(np.sqrt(9.80665e-200))

@@ -47,3 +47,8 @@ def test_all_shots_are_on_the_front(drag_rate):
         distance = np.hypot(np.asarray(place.x) - front.x, np.asarray(place.y) - front.y)
         np.testing.assert_allclose(distance, front.radius, rtol=1e-13)
         np.testing.assert_allclose(front.point(angle).x, place.x, atol=1e-13)
+
+
+def test_before_the_shots_there_is_no_front():
+    front = Launcher(10.0, epsilon=0.1).front([-1.0, 0.0])
+    assert np.isnan(front.radius).tolist() == np.isnan(front.y).tolist() == [True, False]

@@ -235,3 +235,14 @@ def test_launch_and_landing_are_perpendicular_at_the_best_angle():
     turn = np.asarray(shot.angle) - shot.landing.angle
     np.testing.assert_allclose(turn, np.pi / 2, rtol=1e-7)
     np.testing.assert_allclose(launcher.envelope.reach, shot.range, rtol=1e-15)
+
+
+def test_a_shot_aimed_into_the_ground_lands_where_it_stands():
+    landing = Launcher(10.0, epsilon=0.1).shot([-0.5, 0.5], azimuth=1.0).landing
+    assert (landing.time[0], landing.x[0], landing.z[0], landing.speed[0]) == (0.0, 0.0, 0.0, 10.0)
+    assert landing.x[1] > 0
+
+
+def test_a_wind_that_is_no_vector_is_refused():
+    with pytest.raises(TypeError, match=r"^wind must be \(x, y\) or \(x, y, z\) in m/s, got 3\.0$"):
+        Launcher(10.0, epsilon=0.1).shot(0.5, wind=3.0)
