@@ -139,6 +139,10 @@ class Dressed:
     def __hash__(self) -> int:
         return hash(self._value)
 
+    def __reduce__(self) -> Any:
+        # The class of a registry's quantities is not pickled by name, a quantity is.
+        return _redressed, (self._value, self._quantity(1, ""), self._origin)
+
     def _dress(self, name: str, found: Any) -> Any:
         if isinstance(found, Value):
             return Dressed(found, self._quantity, name)
@@ -156,6 +160,10 @@ class Dressed:
         if kind == "AngleGradient":
             return f"rad/({UNITS[name]})"
         return UNITS.get(name)
+
+
+def _redressed(value: Value, quantity: Any, origin: str) -> Dressed:
+    return Dressed(value, type(quantity), origin)
 
 
 def _plain(name: str, value: Any) -> Any:

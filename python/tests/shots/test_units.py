@@ -1,5 +1,8 @@
 """Quantities of pint: the same numbers, with units on them."""
 
+import copy
+import pickle
+
 import numpy as np
 import pint
 import pytest
@@ -86,3 +89,9 @@ def test_a_changed_launcher_answers_in_units(launcher):
     faster = launcher.replace(speed=Q(72.0, "km/hour"))
     assert faster.speed == Q(20.0, "m/s")
     assert faster.drag_rate == launcher.drag_rate
+
+
+def test_a_launcher_in_units_is_pickled_and_copied(launcher):
+    for again in (pickle.loads(pickle.dumps(launcher)), copy.deepcopy(launcher)):
+        assert again == launcher
+        assert str(again.shot(0.5).range.units) == "meter"
