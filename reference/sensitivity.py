@@ -154,8 +154,10 @@ LANDED, AT_APEX = ((at(1),), ("time",)), ((climb,), ("time",))
 QUANTITIES = {
     "range": Quantity(at(0), *LANDED),
     "flight_time": Quantity(lambda case: case.time, *LANDED),
+    "landing_z": Quantity(at(2), *LANDED),
     "apex_x": Quantity(at(0), *AT_APEX),
     "apex_y": Quantity(at(1), *AT_APEX),
+    "apex_z": Quantity(at(2), *AT_APEX),
     "apex_time": Quantity(lambda case: case.time, *AT_APEX),
     "aim": Quantity(lambda case: case.angle, (at(0), at(1)), ("time", "angle")),
     "aim in space": Quantity(

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from archerfish.shot import Shot, Vector
 
 INPUTS = ("speed", "angle", "drag_rate", "gravity")
-OUTPUTS = ("range", "flight_time", "apex_x", "apex_y", "apex_time")
+OUTPUTS = ("range", "flight_time", "apex_x", "apex_y", "apex_time", "landing_z", "apex_z")
 
 #: In place of the launch angle 0 over level ground, where the flight is over as it begins: the
 #: derivatives are the limits, and the quotients that give them stay defined.
@@ -73,20 +73,22 @@ class AngleGradient(Value):
 
 @dataclass(frozen=True, eq=False)
 class ShotGradients(Value):
-    """Derivatives of what a shot does: `range` and `apex_x`, `apex_y` (m), the times (s)."""
+    """Derivatives of what a shot does: landing at `range`, `landing_z` (m), apex, times (s)."""
 
     range: Partials
     flight_time: Partials
     apex_x: Partials
     apex_y: Partials
     apex_time: Partials
+    landing_z: Partials
+    apex_z: Partials
 
 
 @dataclass(frozen=True, eq=False)
 class Uncertainty(Value):
-    """Standard deviations of range and apex (m), flight time and apex time (s).
+    """Standard deviations of landing point and apex (m), flight time and apex time (s).
 
-    `covariance`, of shape (..., 5, 5), is that of all five in the order of the other fields.
+    `covariance`, of shape (..., 7, 7), is that of all seven in the order of the other fields.
     """
 
     range: Quantity
@@ -94,6 +96,8 @@ class Uncertainty(Value):
     apex_x: Quantity
     apex_y: Quantity
     apex_time: Quantity
+    landing_z: Quantity
+    apex_z: Quantity
     covariance: Quantity
 
 
@@ -102,6 +106,7 @@ class _Change(NamedTuple):
 
     x: FloatArray
     y: FloatArray
+    z: FloatArray
     vy: FloatArray
 
 
@@ -119,19 +124,31 @@ def shot_gradients(shot: Shot) -> ShotGradients:
         _, vy, _ = shot._motion(time)
         landing_time = {name: -at.y / vy for name, at in _changes(shot, time).items()}
         landing_time["drag_rate"] = -_sag(shot, time) / vy
-        landing_x = {name: -turned / vy for name, turned in _turned(shot, time, (1.0, 0.0)).items()}
+        landing_x, landing_z = (
+            {name: -turned / vy for name, turned in _turned(shot, time, axis).items()}
+            for axis in ((1.0, 0.0), (0.0, 1.0))
+        )
 
         time = array(shot.apex.time)
-        vx, _, _ = shot._motion(time)
+        vx, _, vz = shot._motion(time)
         at_apex = _changes(shot, time)
         apex_time = {name: -at.vy / pull for name, at in at_apex.items()}
         apex_x = {name: at.x + vx * apex_time[name] for name, at in at_apex.items()}
         apex_y = {name: at.y for name, at in at_apex.items()}
+        apex_z = {name: at.z + vz * apex_time[name] for name, at in at_apex.items()}
     # A shot that never lands, or is aimed downward, has derivatives of nothing.
     return ShotGradients(
         *(
             record(Partials, **quantity)
-            for quantity in (landing_x, landing_time, apex_x, apex_y, apex_time)
+            for quantity in (
+                landing_x,
+                landing_time,
+                apex_x,
+                apex_y,
+                apex_time,
+                landing_z,
+                apex_z,
+            )
         )
     )
 
@@ -170,7 +187,7 @@ def propagate(
     gravity: npt.ArrayLike = 0.0,
     covariance: npt.ArrayLike | None = None,
 ) -> Uncertainty:
-    """How uncertain range, flight time and apex are, to first order.
+    """How uncertain landing point, flight time and apex are, to first order.
 
     Either standard deviations of independent inputs, in m/s, radians, 1/s and m/s², or their
     `covariance`, of shape (..., 4, 4) in this order.
@@ -210,7 +227,7 @@ def _changes(shot: Shot, time: FloatArray) -> dict[str, _Change]:
     drag, speed = shot._drag, array(shot.launcher.speed)
     launch, pull, wind = shot._launch, shot._pull, shot.wind
     sine, cosine = np.sin(shot.angle), np.cos(shot.angle)
-    bearing = np.cos(shot.azimuth)
+    bearing = np.cos(shot.azimuth), np.sin(shot.azimuth)
     decay, moved, fallen = np.exp(-drag * time), drift(time, drag), fall(time, drag)
     first, second = _moments(time, drag)
     zero = np.zeros(np.shape(moved))
@@ -219,16 +236,22 @@ def _changes(shot: Shot, time: FloatArray) -> dict[str, _Change]:
         return np.asarray(wind * fallen - v * first - a * second)
 
     return {
-        "speed": _Change(cosine * bearing * moved, sine * moved, sine * decay),
+        "speed": _Change(
+            cosine * bearing[0] * moved, sine * moved, cosine * bearing[1] * moved, sine * decay
+        ),
         "angle": _Change(
-            -speed * sine * bearing * moved, speed * cosine * moved, speed * cosine * decay
+            -speed * sine * bearing[0] * moved,
+            speed * cosine * moved,
+            -speed * sine * bearing[1] * moved,
+            speed * cosine * decay,
         ),
         "drag_rate": _Change(
             along(wind.x, launch[0], pull[0]),
             along(wind.y, launch[1], pull[1]),
+            along(wind.z, launch[2], pull[2]),
             wind.y * moved - launch[1] * time * decay - pull[1] * first,
         ),
-        "gravity": _Change(zero, -fallen, -moved),
+        "gravity": _Change(zero, -fallen, zero, -moved),
     }
 
 

@@ -32,6 +32,8 @@ UNITS = {
     "range": "m",
     "apex_x": "m",
     "apex_y": "m",
+    "apex_z": "m",
+    "landing_z": "m",
     "margin": "m",
     "highest": "m",
     "reach": "m",
