@@ -41,6 +41,7 @@ class ShotData:
     locus_y: Array
     apex: tuple[float, float]
     ground: float
+    wind: Vector
 
 
 def shot_data(shot: Shot) -> ShotData:
@@ -72,6 +73,7 @@ def shot_data(shot: Shot) -> ShotData:
         locus_y=np.asarray(fan.y),
         apex=(float(shot.apex.x), float(shot.apex.y)),
         ground=float(shot.ground),
+        wind=shot.wind,
     )
 
 
@@ -106,9 +108,17 @@ def caption_shot(data: ShotData) -> str:
     """Return the caption of the figure of one shot."""
     return (
         f"Shot at V₀ = {data.speed:g} m/s and launch angle α = {np.degrees(data.angle):g}° with "
-        f"drag parameter ε = bV₀/g = {data.epsilon:.4g} (black), its apex (dot) on the locus of "
-        f"apexes (blue), and the same shot without drag (dashed red)."
+        f"drag parameter ε = bV₀/g = {data.epsilon:.4g}{_in_wind(data.wind)} (black), its apex "
+        f"(dot) on the locus of apexes (blue), and the same shot without drag (dashed red)."
     )
+
+
+def _in_wind(wind: Vector) -> str:
+    parts = (wind.x, wind.y, wind.z)
+    if not any(parts):
+        return ""
+    shown = ", ".join(f"{part:g}" for part in (parts if wind.z else parts[:2]))
+    return f" in a wind of ({shown}) m/s"
 
 
 @dataclass(frozen=True)
@@ -118,6 +128,8 @@ class AimData:
     speed: float
     epsilon: float
     target: tuple[float, float]
+    z: float
+    wind: Vector
     reachable: bool
     margin: float
     arcs: tuple[tuple[Array, Array], ...]  # low and high, or none
@@ -139,11 +151,14 @@ def aim_data(
     target = (float(answer.target.x), float(answer.target.y))
     arcs = (answer.low, answer.high) if isinstance(answer, Aim) else ()
     paths = tuple(_path(arc.shot, float(arc.time)) for arc in arcs)
-    envelope = _envelope(launcher, wind_vector(wind), target, height)
+    air = wind_vector(wind)
+    envelope = _envelope(launcher, air, target, height)
     return AimData(
         speed=float(launcher.speed),
         epsilon=float(launcher.epsilon),
         target=target,
+        z=float(answer.target.z),
+        wind=air,
         reachable=bool(arcs),
         margin=float(answer.margin),
         arcs=paths,
@@ -188,16 +203,21 @@ def draw_aim(ax: Axes, data: AimData) -> None:
 def caption_aim(data: AimData) -> str:
     """Return the caption of the figure of one target."""
     launcher = f"V₀ = {data.speed:g} m/s and drag parameter ε = bV₀/g = {data.epsilon:.4g}"
+    launcher += _in_wind(data.wind)
     place = f"({data.target[0]:g} m, {data.target[1]:g} m)"
+    side = ""
+    if data.z or data.wind.z:
+        place = f"({data.target[0]:g} m, {data.target[1]:g} m, {data.z:g} m)"
+        side = " Seen from the side; the envelope is that of shots at targets with z = 0."
     if data.reachable:
         return (
             f"Both arcs through the target at {place} for {launcher}, under the envelope of all "
-            f"shots (dashed red)."
+            f"shots (dashed red).{side}"
         )
     above = f"{data.margin:.4g} m above" if np.isfinite(data.margin) else "beyond"
     return (
         f"The target at {place} lies {above} the envelope (dashed red) of all shots with "
-        f"{launcher}: none reaches it."
+        f"{launcher}: none reaches it.{side}"
     )
 
 

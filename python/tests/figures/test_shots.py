@@ -36,6 +36,18 @@ def test_the_apex_of_the_shot_is_on_the_locus():
         assert axes.get_aspect() == 1.0
 
 
+def test_captions_tell_of_the_wind_and_of_the_third_coordinate():
+    _, _, calm = drawn("shot", LAUNCHER.shot(0.7))
+    _, _, windy = drawn("shot", LAUNCHER.shot(0.7, wind=(-8.0, 1.0)))
+    assert "wind" not in calm
+    assert "in a wind of (-8, 1) m/s" in windy
+    wind = (0.0, 0.0, -4.0)
+    _, _, aside = drawn("aim", LAUNCHER, LAUNCHER.aim(4.0, 2.0, 1.0, wind=wind), 0.0, wind)
+    assert "(4 m, 2 m, 1 m)" in aside
+    assert "in a wind of (0, 0, -4) m/s" in aside
+    assert "Seen from the side" in aside
+
+
 def test_a_shot_that_never_lands_is_drawn_too():
     data = shot_data(LAUNCHER.shot(0.7, ground=9.0))
     assert np.isfinite(data.x).all()
