@@ -98,8 +98,12 @@ export class Controls {
         : this.#change(write(value));
       field.setAttribute("aria-invalid", String(!taken));
     });
+    let said = "";
     this.#showing.push(({ state }) => {
       const value = read(state);
+      const key = `${value} ${state.dragKind}`;
+      if (key === said) return;
+      said = key;
       if (slider) {
         const sliding = scale?.(state);
         if (sliding) setAttribute(slider, "max", String(sliding.last));

@@ -127,7 +127,8 @@ const lastAngle = ({ state }: Scene): number => (state.sides === "both" ? 180 : 
 
 /** Frames that hold still while their curves move a little, and end on round numbers. */
 function roundExtent(low: number, high: number): readonly [number, number] {
-  return [low < 0 ? -stepAbove(-low * 1.02) : 0, high > 0 ? stepAbove(high * 1.02) : 0];
+  const above = (value: number): number => (value > 0 ? stepAbove(value * 1.02, [1, 2, 3, 5, 10]) : 0);
+  return [low < 0 ? -above(-low) : 0, above(high)];
 }
 
 function extremes(curves: readonly ArrayLike<number>[]): [number, number] {

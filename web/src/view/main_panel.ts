@@ -257,9 +257,8 @@ export class MainPanel {
   }
 }
 
-/** The first of 1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10, … that is not below `value`. */
-export function stepAbove(value: number): number {
+/** The first of these steps, times a power of ten, that is not below `value`. */
+export function stepAbove(value: number, steps = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10]): number {
   const power = 10 ** Math.floor(Math.log10(value));
-  const steps = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10];
   return power * (steps.find((step) => step * power >= value) ?? 10);
 }

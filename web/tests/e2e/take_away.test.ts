@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { type Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
+import { short } from "../../src/model/numbers.ts";
 import { inBrowser, state, visit } from "./page.ts";
 
 inBrowser();
@@ -57,6 +58,25 @@ describe("the readout", () => {
           Number.parseFloat((await page.textContent(`#read-${name}`)) ?? ""),
         ),
       );
+      expect(shown).toEqual(expected);
+    });
+  });
+});
+
+describe("the table of the named angles", () => {
+  it("shows only digits that are Python's", async () => {
+    const program = `
+import json, numpy
+from archerfish import named_angles as named
+epsilon = numpy.array([0, 0.1, 1, 10, 100, 1e6])
+angles = [named.greatest_range_angle, named.greatest_curvature_angle, named.rightmost_angle, named.farthest_angle, named.receding_angle]
+print(json.dumps(numpy.degrees([angle(epsilon) for angle in angles]).T.tolist()))`;
+    const expected = (JSON.parse(python("-c", program)) as number[][]).map((row) => row.map((angle) => short(angle, 8)));
+    await visit("#epsilon=1e6", async ({ page }) => {
+      await page.locator("#tables summary").last().click();
+      const rows = page.locator("#tables details[open] tbody tr");
+      await expect.poll(() => rows.count()).toBe(6);
+      const shown = await rows.evaluateAll((all) => all.map((row) => [...row.children].slice(1).map((cell) => cell.textContent)));
       expect(shown).toEqual(expected);
     });
   });
