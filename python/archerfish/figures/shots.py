@@ -208,7 +208,7 @@ def caption_aim(data: AimData) -> str:
     side = ""
     if data.z or data.wind.z:
         place = f"({data.target[0]:g} m, {data.target[1]:g} m, {data.z:g} m)"
-        side = " Seen from the side; the envelope is that of shots at targets with z = 0."
+        side = " Seen from the side; the envelope is that of z = 0 without wind across."
     if data.reachable:
         return (
             f"Both arcs through the target at {place} for {launcher}, under the envelope of all "
