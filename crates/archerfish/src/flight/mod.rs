@@ -10,6 +10,7 @@
 //! has fallen by t² E₂.
 
 mod aim;
+mod aim_start;
 mod domain;
 mod envelope;
 mod fall;

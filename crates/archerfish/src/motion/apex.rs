@@ -31,7 +31,8 @@ impl Launch {
     /// `r = sin α √(cos²α + G² sin²α) / q`
     #[inline(always)]
     fn distance(&self) -> f64 {
-        let stretch = self.cos.squared().add(self.sin.times(self.gain(self.a())).squared());
+        let rise = self.sin.times(self.gain(self.a()));
+        let stretch = self.cos.squared().add_positives(rise.squared());
         self.sin.times(stretch.sqrt()).quotient(self.q())
     }
 

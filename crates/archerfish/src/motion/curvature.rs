@@ -1,11 +1,11 @@
 //! Curvature of the locus: equation (19) and its like by launch angle.
 //!
-//! Method: with k = 1/q, p = 1 − k, m = n/q = k(1 − 2 sin²α) − p sin²α (n = 0 is the rightmost
-//! apex), `ρK = q (m (m + 2 p cos²α) + sin²α cos²α (3 + k)) / (sin²α cos²α + m²)^{3/2}`.
-//! All of it stays of moderate size for every ε, and the denominator is never near zero.
+//! Method: with q = 1 + u and A = cos²α/q, from cos²α to 0, section 2's N and D over q² are
+//! `sin²α + A (1 + cos²α − A)` and `sin²α cos²α + (A − sin²α)²` (A = sin²α is the rightmost apex),
+//! so that `ρK = q N / D^{3/2}`. All but q stays of moderate size, and D is never near zero.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::select;
+use super::super::real::{select, sqrt};
 use super::launch::{Launch, within_domain};
 use super::locus::Elevated;
 
@@ -19,19 +19,21 @@ impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
     #[inline(always)]
     pub fn curvature(&self) -> f64 {
-        let one = DoubleDouble::from(1.0);
         let q = self.q();
-        let k = one.div(q);
-        let p = one.sub(k);
         let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
-        let sin2cos2 = sin2.times(cos2);
-        let m = k.times(one.sub(sin2.scale(2.0))).sub(p.times(sin2));
-        let denominator = sin2cos2.add(m.squared());
-        let numerator =
-            m.times(m.add(p.times(cos2).scale(2.0))).add(sin2cos2.times(k.add_double(3.0)));
+        let share = cos2.div(q);
+        let numerator = share.times(cos2.sub_smaller(share).add_positive(1.0)).add_positives(sin2);
+        let rightmost = share.minus(sin2);
+        let denominator = sin2.times(cos2).add_positives(rightmost.squared());
+
         // far below the end of the range until the last multiplication, which may overflow
-        let ratio = numerator.div(denominator);
-        ratio.times(q.scale(SMALL)).quotient(denominator.sqrt()) * LARGE
+        let inverse = 1.0 / denominator.hi;
+        let root = sqrt(denominator.hi);
+        let root_inverse = root * inverse;
+        let root =
+            DoubleDouble { hi: root, lo: denominator.less_square(root) * (0.5 * root_inverse) };
+        let ratio = numerator.div_by(denominator, inverse);
+        ratio.times(q.scale(SMALL)).quotient_by(root, root_inverse) * LARGE
     }
 }
 

@@ -32,8 +32,8 @@ impl Elevated {
         let (sin, cos) = self.direction();
         let up = sin.times_double(self.epsilon).add_positive(1.0).times(sin);
         let top = up.times(cos);
-        let across = up.times(sin).sub(cos.squared()).times(self.sin_theta);
-        top.quotient(top.times(self.cos_theta).add(across).times(self.cos_theta))
+        let across = up.times(sin).minus(cos.squared()).times(self.sin_theta);
+        top.quotient(top.times(self.cos_theta).plus(across).times(self.cos_theta))
     }
 }
 

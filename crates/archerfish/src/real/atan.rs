@@ -51,7 +51,7 @@ pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let eighths = select(left, 4.0 - eighths, eighths);
     let sense = select(steep != left, -1.0, 1.0);
     let sum = fast_two_sum(eighths * QUARTER_PI.hi, sense * t.hi);
-    fast_two_sum(sum.hi, sum.lo + (eighths * QUARTER_PI.lo + sense * (t.lo + tail)))
+    fast_two_sum(sum.hi, sum.lo + (eighths * QUARTER_PI.lo + sense * (t.lo * (1.0 - z) + tail)))
 }
 
 /// `arctan x`.

@@ -109,8 +109,20 @@ impl DoubleDouble {
         fast_two_sum(sum.hi, sum.lo + self.lo)
     }
 
-    /// `self + b`, where self is zero or its exponent is at least that of b; left as it falls: where
-    /// much cancels, lo may be as large as hi.
+    /// `self + b`, left as it falls: where much cancels, lo may be as large as hi.
+    #[inline(always)]
+    pub fn plus(self, b: Self) -> Self {
+        let sum = two_sum(self.hi, b.hi);
+        DoubleDouble { hi: sum.hi, lo: sum.lo + (self.lo + b.lo) }
+    }
+
+    /// `self - b`, as `plus`.
+    #[inline(always)]
+    pub fn minus(self, b: Self) -> Self {
+        self.plus(b.neg())
+    }
+
+    /// `plus` where self is zero or its exponent is at least that of b.
     #[inline(always)]
     pub fn add_smaller(self, b: Self) -> Self {
         let sum = fast_two_sum(self.hi, b.hi);
@@ -128,6 +140,13 @@ impl DoubleDouble {
     pub fn add_positive(self, b: f64) -> Self {
         let sum = two_sum_positive(self.hi, b);
         DoubleDouble { hi: sum.hi, lo: sum.lo + self.lo }
+    }
+
+    /// `self + b` where neither is negative; left as it falls, the words nearly apart.
+    #[inline(always)]
+    pub fn add_positives(self, b: Self) -> Self {
+        let sum = two_sum_positive(self.hi, b.hi);
+        DoubleDouble { hi: sum.hi, lo: sum.lo + (self.lo + b.lo) }
     }
 
     /// `-self`.
@@ -176,11 +195,13 @@ impl DoubleDouble {
     /// `self / b`, rounded.
     #[inline(always)]
     pub fn quotient(self, b: Self) -> f64 {
-        let inverse = 1.0 / b.hi;
-        let quotient = self.hi * inverse;
-        let product = two_product(quotient, b.hi);
-        let rest = ((self.hi - product.hi) - product.lo) + (self.lo - quotient * b.lo);
-        quotient + rest * inverse
+        self.quotient_by(b, 1.0 / b.hi)
+    }
+
+    /// `self / b`, rounded, given a double next to `1 / b.hi`.
+    #[inline(always)]
+    pub fn quotient_by(self, b: Self, inverse: f64) -> f64 {
+        self.div_by(b, inverse).round()
     }
 
     /// `self * b` where `b` is a power of two.
@@ -196,28 +217,34 @@ impl DoubleDouble {
         fast_two_sum(square.hi, square.lo)
     }
 
-    /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself.
+    /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself, as `times`.
     #[inline(always)]
     pub fn div_by(self, b: Self, inverse: f64) -> Self {
         let quotient = self.hi * inverse;
         let product = two_product(quotient, b.hi);
         let rest = ((self.hi - product.hi) - product.lo) + (self.lo - quotient * b.lo);
-        fast_two_sum(quotient, rest * inverse)
+        DoubleDouble { hi: quotient, lo: rest * inverse }
     }
 
-    /// `self / b`, to 2⁻¹⁰⁰ of itself.
+    /// `self / b`, as `div_by`.
     #[inline(always)]
     pub fn div(self, b: Self) -> Self {
         self.div_by(b, 1.0 / b.hi)
     }
 
-    /// `√self`, to 2⁻¹⁰⁰ of itself; NaN at zero.
+    /// `self - a²`, which is nearly zero.
+    #[inline(always)]
+    pub fn less_square(self, a: f64) -> f64 {
+        let square = two_square(a);
+        ((self.hi - square.hi) - square.lo) + self.lo
+    }
+
+    /// `√self`, to 2⁻¹⁰⁰ of itself, as `times`; NaN at zero.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         let root = super::sqrt(self.hi);
-        let square = two_square(root);
-        let rest = ((self.hi - square.hi) - square.lo) + self.lo;
-        fast_two_sum(root, rest / (root + root))
+        let rest = self.less_square(root);
+        DoubleDouble { hi: root, lo: rest / (root + root) }
     }
 
     /// `a` where the condition holds, else `b`.

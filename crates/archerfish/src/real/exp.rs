@@ -24,7 +24,9 @@ const EXP_TAIL: [f64; 10] = [
 /// `eˣ = 2ⁿ (1 + r + half_square + rest)`, n an integer, |r| < 0.35, the sum to 2⁻⁵⁹ of itself.
 pub(crate) struct Exponential {
     pub n: f64,
-    r: f64,
+    pub r: f64,
+    /// `(eʳ − 1 − r − r²/2)/r³`
+    pub bend: f64,
     half_square: f64,
     rest: f64,
 }
@@ -36,10 +38,11 @@ impl Exponential {
         let n = nearest_integer(x * core::f64::consts::LOG2_E);
         let r = fast_two_sum(x - n * LN2_HI, -(n * LN2_LO));
         let square = two_square(r.hi);
-        let tail = r.hi * square.hi * polynomial(r.hi, &EXP_TAIL);
+        let bend = polynomial(r.hi, &EXP_TAIL);
+        let tail = r.hi * square.hi * bend;
         // r.lo enters with its derivative 1 + r + …
         let rest = 0.5 * square.lo + (tail + r.lo * (1.0 + r.hi));
-        Exponential { n, r: r.hi, half_square: 0.5 * square.hi, rest }
+        Exponential { n, r: r.hi, bend, half_square: 0.5 * square.hi, rest }
     }
 
     /// `eˣ/2ⁿ − 1`

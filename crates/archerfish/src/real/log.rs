@@ -32,6 +32,12 @@ pub(crate) struct Logarithm {
 }
 
 impl Logarithm {
+    /// `ρ(z)`, rounded, for z in [0, 0.0294].
+    #[inline(always)]
+    pub fn artanh_excess(z: f64) -> f64 {
+        THIRD.hi + z * polynomial(z, &ATANH_TAIL)
+    }
+
     /// Of a positive normal number `w.hi + w.lo`.
     #[inline(always)]
     pub fn of(w: DoubleDouble) -> Self {
