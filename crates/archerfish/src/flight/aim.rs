@@ -191,8 +191,7 @@ impl Target {
         let loss = lambda * rest.hi;
         let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest.hi) * model.curvature);
         let square = theta * theta;
-        let correction =
-            sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
+        let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
         let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
         let theta = theta + select(small, correction, 0.0);
         (up.add_double(gamma * (way.hi * theta)), on, there)

@@ -8,7 +8,7 @@
 //! small h, and as `((1 + u)(1 − e^{−2h}) − 2h) / (u (1 − e^{−2h}))` beyond, where nothing cancels
 //! but in the one difference that makes a residual small.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum};
 use super::super::real::{Exponential, polynomial, power_of_two, select};
 
 // half_time_tail: minimax on [0.0, 0.5626], degree 7,
@@ -28,29 +28,32 @@ const HALF_TIME_START_TOP: [f64; 4] = [1.000005008, 0.4149945055, 0.07041051379,
 const HALF_TIME_START_BOTTOM: [f64; 4] = [1.0, 0.7473879479, 0.1029244719, 0.03737900548];
 const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
 
-/// `h/u`, for u ≥ 0 and q = 1 + u.
+/// `h/u`, for u ≥ 0 and q = 1 + u; hi alone is good to 2⁻¹⁴.
 #[inline(always)]
 pub(super) fn half_time(u: DoubleDouble, q: DoubleDouble) -> DoubleDouble {
     // beyond 10⁶ the guess is right to 10⁻⁶ and the equation linear
     let size = select(u.hi > 1e6, 1e6, u.hi);
     let eta = polynomial(size, &HALF_TIME_START_TOP) / polynomial(size, &HALF_TIME_START_BOTTOM);
-    let h = u.mul_double(eta);
+    let h = u.times_double(eta);
 
     let z = h.hi * h.hi;
-    let near = h.mul(THIRD).add_double(z * h.hi * polynomial(z, &HALF_TIME_TAIL));
-    let near = DoubleDouble::from(1.0).sub(near.add_double(1.0).mul_double(eta));
+    let small = DoubleDouble::from(z * h.hi * polynomial(z, &HALF_TIME_TAIL));
+    let near = h.times(THIRD).add_smaller(small).add_positive(1.0).times_double(eta);
+    // exact, as near is nearly 1
+    let near = (1.0 - near.hi) - near.lo;
 
     // beyond 2h = 80, 1 − e^{−2h} is 1 to the last bit of the second double but a few
     let far = h.hi > 40.0;
     let exponential = Exponential::of(select(far, -80.0, -2.0 * h.hi));
-    let significand = exponential.significand();
+    let significand = exponential.loose_significand();
     let low = significand.lo - 2.0 * select(far, 0.0, h.lo) * significand.hi;
     let power = power_of_two(exponential.n);
-    let rest = two_sum(1.0, -(power * significand.hi));
-    let rest = fast_two_sum(rest.hi, rest.lo - power * low); // 1 − e^{−2h}
-    let beyond = q.scale(0.5).mul(rest).sub(h).hi / (u.hi * 0.5 * rest.hi);
+    let rest = fast_two_sum(1.0, -(power * significand.hi)); // 1 − e^{−2h}
+    let rest = DoubleDouble { hi: rest.hi, lo: rest.lo - power * low };
+    let half = q.scale(0.5).times(rest);
+    let beyond = ((half.hi - h.hi) + (half.lo - h.lo)) / (u.hi * 0.5 * rest.round());
 
-    let residual = select(h.hi < 0.75, near.round(), beyond);
+    let residual = select(h.hi < 0.75, near, beyond);
 
     // with g = h coth h − 1: g/h, g′, h g″ and h² g‴
     let inverse = 1.0 / eta;
@@ -64,5 +67,5 @@ pub(super) fn half_time(u: DoubleDouble, q: DoubleDouble) -> DoubleDouble {
     let newton = residual * inverse * slope;
     let (a, b) = (0.5 * second * slope, third * slope * (1.0 / 6.0));
     let change = newton - newton * newton * (a - newton * (2.0 * a * a - b));
-    fast_two_sum(eta, eta * change)
+    DoubleDouble { hi: eta, lo: eta * change }
 }

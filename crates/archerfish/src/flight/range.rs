@@ -11,6 +11,6 @@ use super::time::LevelShot;
 pub fn flight_range(alpha: f64, eps: f64) -> f64 {
     // x(T) = T cos α / q, for 1 − e^{−εT} = εT/q at the landing
     let shot = LevelShot::at(alpha, eps);
-    let range = shot.sin.mul(shot.eta).mul(shot.cos).scale(2.0).div(shot.q).round() * shot.back;
+    let range = shot.sin.times(shot.eta).times(shot.cos).scale(2.0).quotient(shot.q) * shot.back;
     select(is_rising(alpha) & is_drag(eps), range, f64::NAN)
 }

@@ -1,7 +1,7 @@
 //! Time of flight.
 
-use super::super::real::double_double::{DoubleDouble, two_sum};
-use super::super::real::{select, sin_cos_extended};
+use super::super::real::double_double::DoubleDouble;
+use super::super::real::{select, sin_cos_upper};
 use super::domain::{LARGE, SMALL, is_drag, is_rising};
 use super::half_time::half_time;
 
@@ -22,10 +22,9 @@ impl LevelShot {
     /// At the angle α in [0, π].
     #[inline(always)]
     pub fn at(alpha: f64, epsilon: f64) -> Self {
-        let (sin, cos) = sin_cos_extended(alpha);
-        let u = sin.mul_double(epsilon);
-        let sum = two_sum(1.0, u.hi);
-        let q = DoubleDouble { hi: sum.hi, lo: sum.lo + u.lo };
+        let (sin, cos) = sin_cos_upper(alpha);
+        let u = sin.times_double(epsilon);
+        let q = u.add_positive(1.0);
         let tiny = sin.hi < SMALL;
         LevelShot {
             sin: sin.scale(select(tiny, LARGE, 1.0)),
@@ -43,6 +42,6 @@ impl LevelShot {
 #[inline(always)]
 pub fn flight_time(alpha: f64, eps: f64) -> f64 {
     let shot = LevelShot::at(alpha, eps);
-    let time = shot.sin.mul(shot.eta).scale(2.0).round() * shot.back;
+    let time = shot.sin.times(shot.eta).scale(2.0).round() * shot.back;
     select(is_rising(alpha) & is_drag(eps), time, f64::NAN)
 }
