@@ -1,11 +1,11 @@
 import { defineConfig } from "vitest/config";
 import { formulas } from "./build/formulas.ts";
-import { contentSecurity, singleFile } from "./build/page.ts";
+import { contentSecurity, kernelsEarly, singleFile } from "./build/page.ts";
 
 // `vite build` makes the files of the site, `vite build --mode single` the page in one file.
 export default defineConfig(({ mode }) => ({
   base: "./",
-  plugins: [formulas(), contentSecurity(), ...(mode === "single" ? [singleFile()] : [])],
+  plugins: [formulas(), contentSecurity(), kernelsEarly(), ...(mode === "single" ? [singleFile()] : [])],
   build: {
     // Into the Python package, whose command serves it.
     outDir: "../python/archerfish/explorer",

@@ -35,6 +35,23 @@ export function contentSecurity(): Plugin {
   };
 }
 
+/** Has the kernels fetched while the script is read, which would ask for them last. */
+export function kernelsEarly(): Plugin {
+  return {
+    name: "kernels-early",
+    apply: "build",
+    transformIndexHtml: {
+      order: "post",
+      handler(_, { bundle = {} }) {
+        const kernels = Object.keys(bundle).find((name) => name.endsWith(".wasm"));
+        if (!kernels) return [];
+        const attrs = { rel: "preload", href: `./${kernels}`, as: "fetch", crossorigin: "" };
+        return [{ tag: "link", attrs, injectTo: "head" }];
+      },
+    },
+  };
+}
+
 /** Puts script and style into the page, so that it is one file that opens by itself. */
 export function singleFile(): Plugin {
   return {

@@ -27,7 +27,7 @@ async function start(): Promise<void> {
     const { state, messages } = fromHash(location.hash);
     const store = new Store(state);
     const explorer = new Explorer(store, model);
-    // For tools/bench.mjs.
+    // For the tests, and tools/bench.mjs.
     Object.assign(window, { archerfish: explorer.timings });
     explorer.complain(messages.length ? `${messages.join(". ")}. The rest of the view stands.` : undefined);
     window.addEventListener("hashchange", () => {

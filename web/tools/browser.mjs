@@ -37,8 +37,8 @@ export async function open(flags = []) {
   };
 }
 
-/** Waits until the page has drawn for the first time and is at rest. */
+/** Waits until the page has drawn all there is and is at rest. */
 export async function settled(page) {
-  await page.waitForFunction(() => document.querySelector("#summary-text")?.textContent !== "");
+  await page.waitForFunction(() => window.archerfish?.resting);
   await page.evaluate(() => document.fonts.ready.then(() => undefined));
 }

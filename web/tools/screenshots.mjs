@@ -7,6 +7,7 @@ const folder = process.argv[2] ?? "screenshots";
 const SIZES = { desktop: [1280, 720], phone: [390, 844], projector: [1920, 1080] };
 const VIEWS = {
   figure1: "",
+  left: "#speed=10&epsilon=1&angle=130&time=0.3&layers=fan,drag_free,circle&sides=both",
   branch: "#speed=10&epsilon=10&angle=57.3&layers=fan,ghost&frame=fit",
   layers:
     "#speed=10&epsilon=0.5&angle=50&time=0.4&compare=0.1,3&layers=fan,drag_free,envelope,circle,comb,points&curvature_by=elevation",
@@ -26,7 +27,6 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       const page = await context.newPage();
       await page.goto(address + hash);
       await settled(page);
-      await page.waitForTimeout(300);
       const path = `${folder}/${size}-${theme}-${view}.png`;
       await page.screenshot({ path });
       if (theme === "light" || view === "layers") {

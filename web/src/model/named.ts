@@ -36,6 +36,7 @@ export class NamedAngleSolver {
   readonly #a: Column;
   readonly #b: Column;
   readonly #c: Column;
+  #tolerance = 0;
 
   constructor(kernels: Kernels, count: number) {
     const room = () => kernels.column(count);
@@ -44,7 +45,9 @@ export class NamedAngleSolver {
     [this.#a, this.#b, this.#c] = [room(), room(), room()];
   }
 
-  solve(epsilons: ArrayLike<number>): NamedAngles {
+  /** To the last digits, unless a larger relative tolerance is said. */
+  solve(epsilons: ArrayLike<number>, tolerance = 2e-16): NamedAngles {
+    this.#tolerance = tolerance;
     this.#epsilon.values.set(epsilons);
     const { functions: f } = this.#kernels;
     f.optimal_angle(this.#epsilon, this.#a);
@@ -116,7 +119,7 @@ export class NamedAngleSolver {
       for (let k = 0; k < low.length; k += 1) {
         if (value[k] > 0) low[k] = middle[k];
         else high[k] = middle[k];
-        open ||= high[k] - low[k] > 2e-16 * low[k];
+        open ||= high[k] - low[k] > this.#tolerance * low[k];
       }
     }
     return low.map((bound, k) => 0.5 * (bound + high[k]));
@@ -135,7 +138,8 @@ export class NamedAngleSolver {
     const right = epsilon.map((value, k) => Math.log(2 * (2 + Math.log1p(value))) + left[k]);
     const sine = new Float64Array(left.length);
     const [early, late] = [new Float64Array(left.length), new Float64Array(left.length)];
-    for (let step = 0; step < 45; step += 1) {
+    // The least value is flat: its place need only be known to the root of the tolerance.
+    for (let step = 0; step < 45 && GOLDEN ** step > Math.sqrt(this.#tolerance) / 10; step += 1) {
       this.#sineAt((k) => right[k] - GOLDEN * (right[k] - left[k]), early);
       this.#sineAt((k) => left[k] + GOLDEN * (right[k] - left[k]), late);
       for (let k = 0; k < left.length; k += 1) {

@@ -11,8 +11,9 @@ import { NAMED, NamedAngleSolver, type NamedAngle, type NamedAngles } from "./na
 
 /** Powers of ten between which they are drawn. */
 export const NAMED_DECADES = [-3, 3] as const;
-/** Drag parameters solved for at once: some three milliseconds of work. */
-const AT_ONCE = 50;
+/** Drag parameters solved for at once, some three milliseconds of work, and how well: for the eye. */
+const AT_ONCE = 100;
+const TOLERANCE = 1e-5;
 
 export class NamedCurves {
   readonly decades = linspace(...NAMED_DECADES, POINTS);
@@ -34,7 +35,7 @@ export class NamedCurves {
   /** Computes the next points. */
   advance(): void {
     const next = this.decades.subarray(this.count, this.count + AT_ONCE);
-    const solved = this.#solver.solve(next.map((decade) => 10 ** decade));
+    const solved = this.#solver.solve(next.map((decade) => 10 ** decade), TOLERANCE);
     for (const name of Object.keys(NAMED) as NamedAngle[]) {
       this.angles[name].set(solved[name].subarray(0, next.length), this.count);
     }

@@ -35,20 +35,20 @@ export function toPython({ state }: Scene): string {
 /** What a picture would tell, in words. */
 export function toWords(scene: Scene): string {
   const { state, scales, apex, flightTime, reach } = scene;
-  const metres = (value: number) => `${short(value * scales.length, 4)} m`;
+  const metres = (value: number) => `${short(value * scales.length, 4)}\u00a0m`;
   const away = `${metres(Math.abs(apex.x))} ${apex.x < 0 ? "to the left" : "away"}`;
   const drag =
     scales.epsilon === 0
       ? "without drag"
-      : `with drag parameter ε = ${short(scales.epsilon, 4)} (terminal speed ${short(scales.terminalSpeed, 4)} m/s)`;
+      : `with drag parameter ε\u00a0=\u00a0${short(scales.epsilon, 4)} (terminal speed ${short(scales.terminalSpeed, 4)}\u00a0m/s)`;
   const compared = state.compare.length
     ? ` Compared with ε = ${state.compare.map((other) => short(other, 4)).join(", ")}.`
     : "";
   return (
-    `Launched at ${short(state.speed, 4)} m/s and ${short(state.angle, 5)}°, gravity ${short(state.gravity, 4)} m/s², ${drag}: ` +
+    `Launched at ${short(state.speed, 4)}\u00a0m/s and ${short(state.angle, 5)}°, gravity ${short(state.gravity, 4)}\u00a0m/s², ${drag}: ` +
     `the apex stands ${away} and ${metres(apex.y)} high, at an elevation of ` +
-    `${short(degrees(apex.elevation), 5)}°, and is reached after ${short(apex.time * scales.time, 4)} s. ` +
-    `The shot lands after ${short(flightTime * scales.time, 4)} s; the longest shot of this speed flies ${metres(reach)}. ` +
-    `There the locus bends with ρK = ${short(apex.curvature, 4)}.${compared}`
+    `${short(degrees(apex.elevation), 5)}°, and is reached after ${short(apex.time * scales.time, 4)}\u00a0s. ` +
+    `The shot lands after ${short(flightTime * scales.time, 4)}\u00a0s; the longest shot of this speed flies ${metres(reach)}. ` +
+    `There the locus bends with ρK\u00a0=\u00a0${short(apex.curvature, 4)}.${compared}`
   );
 }

@@ -37,7 +37,7 @@ export class Explorer {
   readonly #handles: { apex: Handle; direction: Handle };
   readonly #cursors: readonly Handle[];
   readonly #dark = matchMedia("(prefers-color-scheme: dark)");
-  /** What the last frame took, and when the first was drawn, ms; whether all follows the state: for measurements and tests. */
+  /** What the last frame took, and when the first was drawn, ms; whether nothing is left to do: for measurements and tests. */
   readonly timings = { computing: 0, drawing: 0, interactive: 0, resting: false };
   #formulas: Formulas | undefined;
   #colors: Palette;
@@ -148,7 +148,7 @@ export class Explorer {
     if (code) setText(code, toPython(scene));
     this.#tables.show(scene);
     history.replaceState(null, "", `#${toHash(scene.state)}`);
-    this.timings.resting = !this.#asked;
+    this.timings.resting = !this.#asked && this.#model.namedCurves.complete;
   }
 
   /**

@@ -127,7 +127,7 @@ const lastAngle = ({ state }: Scene): number => (state.sides === "both" ? 180 : 
 
 /** Frames that hold still while their curves move a little, and end on round numbers. */
 function roundExtent(low: number, high: number): readonly [number, number] {
-  const above = (value: number): number => (value > 0 ? stepAbove(value * 1.02, [1, 2, 3, 5, 10]) : 0);
+  const above = (value: number): number => (value > 0 ? stepAbove(value * 1.02, [1, 2.5, 5, 10]) : 0);
   return [low < 0 ? -above(-low) : 0, above(high)];
 }
 
@@ -172,7 +172,7 @@ export function slopePanel(host: HTMLElement, colors: Palette): Panel {
     mirror: 1,
     xs: (locus) => locus.grid.degrees,
     ys: (locus) => locus.launchAngleD1,
-    yExtent: (curves) => roundExtent(0, Math.max(2.2, extremes(curves.map((c) => c.launchAngleD1))[1])),
+    yExtent: (curves) => roundExtent(0, Math.max(2, extremes(curves.map((c) => c.launchAngleD1))[1])),
     cursor: ({ apex, slopes }) => [degrees(apex.elevation), slopes[0]],
     wish: byElevation,
   });

@@ -15,7 +15,7 @@ describe("the page", () => {
       expect(await read(page, "launch-angle")).toBe(45);
       expect(await read(page, "elevation")).toBeCloseTo(27.0845, 4);
       expect(requests.every((url) => url.startsWith(address()) || url.startsWith("data:"))).toBe(true);
-      expect(await page.textContent("#summary-text")).toContain("4.762 m away and 2.435 m high");
+      expect(await page.textContent("#summary-text")).toContain("4.762\u00a0m away and 2.435\u00a0m high");
       expect(await page.locator("#formula-x .number-x").textContent()).toBe("4.76187");
     });
   });
