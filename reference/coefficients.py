@@ -130,9 +130,9 @@ def fall_tail(w):
 
 def aim_exp(r):
     """(e^r − 1 − r) / r²."""
-    return taylor_near_zero(
-        lambda t: (mp.expm1(t) - t) / t**2, lambda k: 1 / mp.factorial(k + 2)
-    )(r)
+    return taylor_near_zero(lambda t: (mp.expm1(t) - t) / t**2, lambda k: 1 / mp.factorial(k + 2))(
+        r
+    )
 
 
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
