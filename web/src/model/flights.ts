@@ -7,12 +7,13 @@ import { radians } from "./numbers.ts";
 /** Launch angles of the fan, degrees: those of Figure 1. */
 export const FAN_ANGLES: readonly number[] = Array.from({ length: 18 }, (_, index) => 5 * (index + 1));
 
-/** Where one shot is, up to its landing. */
-export class Flight {
-  /** The points in use are the first `count`; the last is the landing. */
-  readonly x = new Float64Array(POINTS + 1);
-  readonly y = new Float64Array(POINTS + 1);
-  count = 0;
+/** One shot among the instants it shares with all. */
+export interface Flight {
+  readonly cosine: number;
+  readonly sine: number;
+  /** How many instants it is in the air. */
+  readonly count: number;
+  readonly range: number;
 }
 
 /**
@@ -37,6 +38,14 @@ export class Instants {
     this.#kernels = kernels;
     this.#one = [columnOf(kernels, [Math.PI / 2]), kernels.column(1), kernels.column(1)];
     [this.#time, this.#level, this.#epsilon, this.#radius, this.#height] = [room(), room(), room(), room(), room()];
+  }
+
+  /** Radius and height of the circle at each instant. */
+  get radius(): Float64Array {
+    return this.#radius.values;
+  }
+  get height(): Float64Array {
+    return this.#height.values;
   }
 
   update(epsilon: number): this {
@@ -65,28 +74,23 @@ export class Instants {
     }
   }
 
-  /** Places a shot at each instant, or each second one, before its landing at `range`, and there. */
-  place(flight: Flight, cosine: number, sine: number, landing: number, range: number, step = 1): void {
-    const { x, y } = flight;
-    const [time, radius, height] = [this.#time.values, this.#radius.values, this.#height.values];
-    let count = 0;
-    for (let index = 0; index < time.length && time[index] < landing; index += step) {
-      x[count] = cosine * radius[index];
-      y[count] = sine * radius[index] + height[index];
-      count += 1;
+  /** How many instants lie before a time. */
+  before(time: number): number {
+    const times = this.#time.values;
+    let [low, high] = [0, times.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (times[middle] < time) low = middle + 1;
+      else high = middle;
     }
-    x[count] = range;
-    y[count] = 0;
-    flight.count = count + 1;
+    return low;
   }
 }
 
-/** The shots of Figure 1: thin lines, for which half of the instants will do. */
+/** The shots of Figure 1. */
 export class Fan {
-  readonly flights = FAN_ANGLES.map(() => new Flight());
+  flights: readonly Flight[] = [];
   readonly #kernels: Kernels;
-  readonly #cosines = FAN_ANGLES.map((angle) => Math.cos(radians(angle)));
-  readonly #sines = FAN_ANGLES.map((angle) => Math.sin(radians(angle)));
   readonly #angles: Column;
   readonly #epsilons: Column;
   readonly #landings: Column;
@@ -107,10 +111,13 @@ export class Fan {
     this.#epsilons.values.fill(instants.epsilon);
     functions.flight_time(this.#angles, this.#epsilons, this.#landings);
     functions.flight_range(this.#angles, this.#epsilons, this.#ranges);
-    const [landings, ranges] = [this.#landings.values, this.#ranges.values];
-    for (let shot = 0; shot < this.flights.length; shot += 1) {
-      instants.place(this.flights[shot], this.#cosines[shot], this.#sines[shot], landings[shot], ranges[shot], 2);
-    }
+    const [angles, landings, ranges] = [this.#angles.values, this.#landings.values, this.#ranges.values];
+    this.flights = FAN_ANGLES.map((_, shot) => ({
+      cosine: Math.cos(angles[shot]),
+      sine: Math.sin(angles[shot]),
+      count: instants.before(landings[shot]),
+      range: ranges[shot],
+    }));
     return this;
   }
 }

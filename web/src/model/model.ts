@@ -2,7 +2,7 @@
 
 import { type Apex, type Point, Shots } from "./apex.ts";
 import { AngleGrid, LocusCurves, POINTS } from "./curves.ts";
-import { Envelope, Fan, Flight, Instants } from "./flights.ts";
+import { Envelope, Fan, type Flight, Instants } from "./flights.ts";
 import { type Kernels } from "./kernels.ts";
 import { NamedAngleSolver, type NamedAngles } from "./named.ts";
 import { NamedCurves } from "./named_curves.ts";
@@ -42,7 +42,6 @@ export class Model {
   readonly namedCurves: NamedCurves;
   readonly #instants: Instants;
   readonly #fan: Fan;
-  readonly #shot = new Flight();
   readonly #envelope: Envelope;
   readonly #principal: PrincipalBranch;
   readonly #namedHere: NamedAngleSolver;
@@ -105,14 +104,18 @@ export class Model {
     if (shows(state, "points")) this.named(epsilon);
   }
 
-  fan(epsilon: number): Fan {
-    return this.#fan.update(this.#instants.update(epsilon));
+  instants(epsilon: number): Instants {
+    return this.#instants.update(epsilon);
   }
 
+  fan(epsilon: number): Fan {
+    return this.#fan.update(this.instants(epsilon));
+  }
+
+  /** The current shot. */
   shot({ apex: { launchAngle }, flightTime, range, scales: { epsilon } }: Scene): Flight {
-    const instants = this.#instants.update(epsilon);
-    instants.place(this.#shot, Math.cos(launchAngle), Math.sin(launchAngle), flightTime, range);
-    return this.#shot;
+    const count = this.instants(epsilon).before(flightTime);
+    return { cosine: Math.cos(launchAngle), sine: Math.sin(launchAngle), count, range };
   }
 
   envelope({ reach, scales: { epsilon } }: Scene): Envelope {

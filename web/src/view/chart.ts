@@ -39,14 +39,16 @@ export interface Layers {
   readonly live: Layer;
 }
 
-/** Where a curve's numbers go in the domain: multiplied, then shifted. */
+/** Which of a curve's numbers are taken, and where they go in the domain: multiplied, then shifted. */
 export interface Placement {
-  readonly from?: number;
   readonly to?: number;
+  readonly step?: number;
   readonly xScale?: number;
   readonly yScale?: number;
   readonly xShift?: number;
   readonly yShift?: number;
+  /** How much of a point's x goes into its y as well. */
+  readonly shear?: number;
 }
 
 /** Pixels: the longest chord of a curve, and how far it may be from the tangent at its start (a quarter of that from the curve). */
@@ -200,7 +202,7 @@ export class Chart {
     pen: Pen,
     xs: ArrayLike<number>,
     ys: ArrayLike<number>,
-    { from = 0, to = xs.length, xScale = 1, yScale = 1, xShift = 0, yShift = 0 }: Placement = {},
+    { to = xs.length, step = 1, xScale = 1, yScale = 1, xShift = 0, yShift = 0, shear = 0 }: Placement = {},
   ): void {
     const [x0 = 0, x1 = 1] = this.x.range();
     const [y0 = 0, y1 = 1] = this.y.range();
@@ -209,18 +211,19 @@ export class Chart {
     const yPixels = (y1 - y0) / (y[1] - y[0]);
     const [xFactor, xOffset] = [xPixels * xScale, x0 + xPixels * (xShift - x[0])];
     const [yFactor, yOffset] = [yPixels * yScale, y0 + yPixels * (yShift - y[0])];
+    const mixed = yPixels * shear;
     // The hot loop of a frame: plain numbers only.
     let lastX = NaN;
     let lastY = NaN;
     let alongX = NaN;
     let alongY = NaN;
-    for (let index = from; index < to; index += 1) {
+    for (let index = 0; index < to; index += step) {
       const px = xs[index] * xFactor + xOffset;
-      const py = ys[index] * yFactor + yOffset;
+      const py = ys[index] * yFactor + xs[index] * mixed + yOffset;
       const dx = px - lastX;
       const dy = py - lastY;
       const far = dx * dx + dy * dy;
-      if (index < to - 1) {
+      if (index + step < to) {
         if (far < 1) continue;
         // Nearly straight on from the last chord, and near: the next point will do.
         const aside = alongX * dy - alongY * dx;

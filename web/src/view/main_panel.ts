@@ -1,6 +1,7 @@
 /** The main panel: the shots, the locus of their apexes, and what can be laid over them. */
 
 import { shows, type Model, type Scene } from "../model/model.ts";
+import { type Flight } from "../model/flights.ts";
 import { lengthUnit, short } from "../model/numbers.ts";
 import { Chart, type Extent, type Placement } from "./chart.ts";
 import { type Painter, type Pen, type Stroke } from "./painter.ts";
@@ -8,6 +9,8 @@ import { compareStroke, DASHES, type Palette } from "./palette.ts";
 
 /** Teeth of the curvature comb. */
 const TEETH = 90;
+/** Thin lines take every second instant. */
+const THIN = 2;
 /** Length of the arrow of the launch direction, as a part of the plot's height. */
 const ARROW = 0.3;
 
@@ -89,6 +92,16 @@ export class MainPanel {
     if (state.sides === "both") this.chart.curve(pen, xs, ys, { ...part, xScale: -unit, yScale: unit });
   }
 
+  /** A shot, turned from the level shot that shows the circles, or its mirror image. */
+  #flight(pen: Pen, { scales }: Scene, { cosine, sine, count, range }: Flight, side: 1 | -1, step: number): void {
+    const { chart } = this;
+    const unit = scales.length / this.#metres;
+    const { radius, height } = this.#model.instants(scales.epsilon);
+    const placement = { to: count, step, xScale: side * unit * cosine, yScale: unit, shear: unit * sine };
+    chart.curve(pen, radius, height, placement);
+    pen.lineTo(chart.x(side * range * unit), chart.y(0));
+  }
+
   #still(painter: Painter, scene: Scene, wrong: number): void {
     const { colors } = this.chart;
     const { state, dragFree, compared } = scene;
@@ -118,7 +131,10 @@ export class MainPanel {
     if (shows(state, "fan")) {
       const fan = this.#model.fan(scales.epsilon);
       painter.stroke(strokes.fan, (pen) => {
-        for (const { x, y, count } of fan.flights) this.#curve(pen, scene, x, y, { to: count });
+        for (const flight of fan.flights) {
+          this.#flight(pen, scene, flight, 1, THIN);
+          if (state.sides === "both") this.#flight(pen, scene, flight, -1, THIN);
+        }
       });
     }
     if (shows(state, "envelope")) {
@@ -140,9 +156,7 @@ export class MainPanel {
     const { state, scales, apex, position, time } = scene;
     const unit = scales.length / this.#metres;
     const shot = this.#model.shot(scene);
-    painter.stroke({ color: colors.shot, width: 2 }, (pen) =>
-      chart.curve(pen, shot.x, shot.y, { to: shot.count, xScale: unit, yScale: unit }),
-    );
+    painter.stroke({ color: colors.shot, width: 2 }, (pen) => this.#flight(pen, scene, shot, 1, 1));
     if (shows(state, "circle")) {
       const { radius, centre } = this.#model.shots.front(time, scales.epsilon);
       const pixels = chart.x(radius * unit) - chart.x(0);
