@@ -64,6 +64,11 @@ def atanh_tail(z):
     )(z)
 
 
+def atanh_excess(z):
+    """(artanh(√z)/√z − 1) / z."""
+    return mp.mpf(1) / 3 + z * atanh_tail(z)
+
+
 def sin_tail(z):
     """(sin(√z)/√z − 1) / z."""
     return taylor_near_zero(
@@ -144,6 +149,7 @@ FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
+    "log1pmx_tail": Fit(atanh_excess, 0, mp.mpf("0.0401"), 7, one),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),

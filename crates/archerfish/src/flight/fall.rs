@@ -19,9 +19,9 @@ pub(super) fn fall(v: DoubleDouble, rest: DoubleDouble) -> DoubleDouble {
     let sigma = v.div_by(denominator, inverse);
     // up to v = 1 − √½ the logarithm's own s is −σ; above, artanh σ − σ loses few bits
     let excess = logarithm.value().scale(-0.5).sub(sigma);
-    let above = excess.div(sigma.square().mul(sigma));
+    let above = excess.div(sigma.squared().times(sigma));
     let rho = DoubleDouble::select(logarithm.k == 0.0, logarithm.rho, above);
     let one = DoubleDouble::from(1.0);
-    let bracket = one.add(sigma.mul(sigma.add_double(1.0)).mul(rho));
+    let bracket = one.add(sigma.times(sigma.add_double(1.0)).times(rho));
     bracket.div_by(denominator, inverse)
 }

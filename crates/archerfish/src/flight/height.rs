@@ -8,7 +8,7 @@ use super::fall::fall;
 /// `p (s − p ψ)`: the height of a shot of slope s/c that has gone the way p, given ψ(εp).
 #[inline(always)]
 pub(super) fn height_after(p: DoubleDouble, sin: DoubleDouble, psi: DoubleDouble) -> f64 {
-    let mean = sin.sub(p.mul(psi));
+    let mean = sin.sub(p.times(psi));
     mean.hi * p.hi + (mean.hi * p.lo + mean.lo * p.hi)
 }
 
@@ -31,9 +31,9 @@ pub fn trajectory_height(x: f64, alpha: f64, eps: f64) -> f64 {
     let p = scaled.scale(back);
     // what is left of the way to the wall, as a fraction of it
     let rest = across.sub(two_product(eps, x.abs())).div(across);
-    let v = p.mul_double(eps);
+    let v = p.times_double(eps);
     let psi = fall(v, rest);
-    let mean = sin.sub(p.mul(psi));
+    let mean = sin.sub(p.times(psi));
     let y = select(tiny, mean.round() * scaled.round() * back, height_after(p, sin, psi));
     let ahead = (x == 0.0) | ((x < 0.0) == backward);
     let ahead = ahead & (rest.hi > 0.0);

@@ -16,7 +16,7 @@ use super::relaxation::{RELAXED, Relaxation, clamped};
 pub fn flight_x(t: f64, alpha: f64, eps: f64) -> f64 {
     let (_, cos) = sin_cos_extended(alpha);
     let w = two_product(eps, t);
-    let on_the_way = cos.mul(Relaxation::at(clamped(w)).speed).round() * t;
+    let on_the_way = cos.times(Relaxation::at(clamped(w)).speed).round() * t;
     let at_rest = cos.div(DoubleDouble::from(eps)).round();
     let x = select(w.hi > RELAXED, at_rest, on_the_way);
     select(is_later(t) & is_direction(alpha) & is_drag(eps), x, f64::NAN)
@@ -32,7 +32,7 @@ pub fn flight_y(t: f64, alpha: f64, eps: f64) -> f64 {
     let (sin, _) = sin_cos_extended(alpha);
     let w = two_product(eps, t);
     let Relaxation { speed, fall, .. } = Relaxation::at(clamped(w));
-    let on_the_way = sin.mul(speed).sub(fall.mul_double(t)).round() * t;
+    let on_the_way = sin.times(speed).sub(fall.times_double(t)).round() * t;
     let limit = DoubleDouble::from(1.0).div(DoubleDouble::from(eps));
     let falling = sin.add_double(-t).add(limit).round() / eps;
     let y = select(w.hi > RELAXED, falling, on_the_way);

@@ -45,9 +45,9 @@ impl Relaxation {
         let speed_far = gone.div_by(w, inverse);
         let fall_far = DoubleDouble::from(1.0).sub(speed_far).div_by(w, inverse);
 
-        let linear = DoubleDouble::from(0.5).sub(w.mul(SIXTH));
+        let linear = DoubleDouble::from(0.5).sub(w.times(SIXTH));
         let fall_near = linear.add_double(w.hi * w.hi * polynomial(w.hi, &FALL_TAIL));
-        let speed_near = DoubleDouble::from(1.0).sub(w.mul(fall_near));
+        let speed_near = DoubleDouble::from(1.0).sub(w.times(fall_near));
 
         let near = w.hi < 0.7;
         Relaxation {

@@ -91,15 +91,15 @@ fn root(offset: DoubleDouble) -> DoubleDouble {
     const SMALL: f64 = f64::from_bits((1023 - 100) << 52);
     let tiny = offset.hi < 1e-270;
     let scaled = offset.scale(select(tiny, LARGE, 1.0));
-    let root = scaled.mul(TWO_E).sqrt().scale(select(tiny, SMALL, 1.0));
+    let root = scaled.times(TWO_E).sqrt().scale(select(tiny, SMALL, 1.0));
     DoubleDouble::select(offset.hi > 0.0, root, DoubleDouble::from(0.0))
 }
 
 /// `v = p − p²/3 + p³ t`
 #[inline(always)]
 fn series(p: DoubleDouble, tail: f64) -> DoubleDouble {
-    let square = p.square();
-    let third = square.mul(THIRD);
+    let square = p.squared();
+    let third = square.times(THIRD);
     let sum = fast_two_sum(p.hi, -third.hi);
     let small = p.lo - third.lo + square.hi * p.hi * tail;
     fast_two_sum(sum.hi, sum.lo + small)

@@ -39,8 +39,8 @@ impl Launch {
     /// θ, from `tan θ = G(u) tan α` with the denominator of G on the other side
     #[inline(always)]
     fn elevation(&self) -> f64 {
-        let up = self.sin.mul(self.q().times(fast_two_sum(1.0, -self.a())));
-        angle(up, self.cos.mul(self.q_plus_one())).round()
+        let up = self.sin.times(self.q().times(fast_two_sum(1.0, -self.a())));
+        angle(up, self.cos.times(self.q_plus_one())).round()
     }
 }
 

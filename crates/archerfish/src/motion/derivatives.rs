@@ -59,7 +59,7 @@ impl Launch {
         let stretch = cos2.add(sin2.times(gain.squared()));
         let difference = w.times(slope).sub(p.times(stretch));
         let top = self.cos.times(difference).times(stretch);
-        top.quotient(slope.squared().mul(slope)) * back
+        top.quotient(slope.squared().times(slope)) * back
     }
 }
 

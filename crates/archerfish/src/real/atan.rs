@@ -40,8 +40,8 @@ pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let less = DoubleDouble::select(steep, across, y);
     let more = DoubleDouble::select(steep, y, across);
     let diagonal = less.hi > TAN_EIGHTH_PI * more.hi;
-    let numerator = DoubleDouble::select(diagonal, less.sub(more), less);
-    let denominator = DoubleDouble::select(diagonal, less.add(more), more);
+    let numerator = DoubleDouble::select(diagonal, less.minus(more), less);
+    let denominator = DoubleDouble::select(diagonal, less.add_positives(more), more);
     let t = numerator.div(denominator);
     let z = t.hi * t.hi;
     let tail = t.hi * z * polynomial(z, &ATAN_TAIL);

@@ -24,7 +24,6 @@ const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.8503717
 /// The pieces of `ln w`, `w = 2ᵏ (1 + f)`.
 pub(crate) struct Logarithm {
     pub k: f64,
-    pub f: DoubleDouble,
     /// `f / (2 + f)`
     pub s: DoubleDouble,
     /// `ρ(s²)`, between 1/3 and 0.34, to 2⁻⁵⁸ of itself
@@ -51,7 +50,7 @@ impl Logarithm {
         let z = s.hi * s.hi;
         let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
         let rho = fast_two_sum(rho.hi, rho.lo + THIRD.lo);
-        Logarithm { k, f, s, rho }
+        Logarithm { k, s, rho }
     }
 
     /// `2 s³ ρ(s²)`, the rounded part of `ln(1 + f)`; `2s` is the other.
