@@ -137,6 +137,44 @@ describe("pointer", () => {
     });
   });
 
+  it("draws again only what moved", async () => {
+    await visit("#compare=1&angle=40", async ({ page }) => {
+      await page.evaluate(() => {
+        const drawn = { strokes: 0, svg: 0, pictures: 0 };
+        const prototype = CanvasRenderingContext2D.prototype;
+        const [stroke, drawImage] = [prototype.stroke, prototype.drawImage];
+        prototype.stroke = function (this: CanvasRenderingContext2D) {
+          drawn.strokes += 1;
+          Reflect.apply(stroke, this, []);
+        };
+        prototype.drawImage = function (this: CanvasRenderingContext2D, ...parts: unknown[]) {
+          drawn.pictures += 1;
+          Reflect.apply(drawImage, this, parts);
+        } as typeof drawImage;
+        const watch = new MutationObserver((changes) => (drawn.svg += changes.length));
+        for (const svg of document.querySelectorAll(".plot svg")) watch.observe(svg, { childList: true, subtree: true });
+        Object.assign(window, { drawn });
+      });
+      const after = async (selector: string, key: string) => {
+        await page.focus(selector);
+        await page.keyboard.press(key);
+        await state(page);
+        return page.evaluate(() => {
+          const { drawn } = window as unknown as { drawn: { strokes: number; svg: number; pictures: number } };
+          const now = { ...drawn };
+          Object.assign(drawn, { strokes: 0, svg: 0, pictures: 0 });
+          return now;
+        });
+      };
+      // The drag: fan, locus, shot, ray, arrow; a curve and a cursor in four panels; a cursor in the fifth.
+      expect(await after("#drag-slider", "ArrowRight")).toEqual({ strokes: 14, svg: 0, pictures: 1 });
+      await after("#angle-slider", "ArrowRight"); // Now the curves are kept.
+      expect(await after("#angle-slider", "ArrowRight")).toEqual({ strokes: 8, svg: 0, pictures: 6 });
+      // Flight time: nothing moves but the ball.
+      expect(await after("#time-slider", "ArrowRight")).toEqual({ strokes: 3, svg: 0, pictures: 1 });
+    });
+  });
+
   it("drags by touch on a handle", async () => {
     await visit(
       "",

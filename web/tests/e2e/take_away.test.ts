@@ -82,6 +82,30 @@ print(json.dumps(numpy.degrees([angle(epsilon) for angle in angles]).T.tolist())
   });
 });
 
+type Place = readonly [number, number];
+
+/** The lines of a path made of M and L. */
+function lines(path: string): Place[][] {
+  return path
+    .split("M")
+    .slice(1)
+    .map((line) => line.split("L").map((pair) => pair.split(",").map(Number) as unknown as Place));
+}
+
+/** How far a place is from the nearest of some lines. */
+function distance(all: readonly Place[][], [x, y]: Place): number {
+  let nearest = Infinity;
+  for (const line of all) {
+    for (let index = 1; index < line.length; index += 1) {
+      const [[x0, y0], [x1, y1]] = [line[index - 1], line[index]];
+      const square = (x1 - x0) ** 2 + (y1 - y0) ** 2;
+      const part = Math.min(1, Math.max(0, ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / (square || 1)));
+      nearest = Math.min(nearest, Math.hypot(x0 + part * (x1 - x0) - x, y0 + part * (y1 - y0) - y));
+    }
+  }
+  return nearest;
+}
+
 describe("pictures", () => {
   it("are SVG that stands alone", async () => {
     await visit("#epsilon=0.5&layers=fan,drag_free,envelope,circle,comb,points", async ({ page }) => {
@@ -94,6 +118,45 @@ describe("pictures", () => {
       }, svg);
       expect(shapes[0]).toBe(0);
       expect(shapes[1]).toBeGreaterThan(30);
+    });
+  });
+
+  it("show the mirror image where both sides are shown", async () => {
+    const curves = async (hash: string): Promise<number[]> => {
+      let counts: number[] = [];
+      await visit(hash, async ({ page }) => {
+        const svg = (await download(page, "#save-svg")).toString("utf8");
+        // Thick: the locus in the legend and itself, the shot, the curves of four panels. A curve begins with one M.
+        const paths = [...svg.matchAll(/<path d="([^"]*)"[^>]*stroke-width="2(?:\.6)?"/g)];
+        counts = paths.map(([, d = ""]) => d.match(/M/g)?.length ?? 0);
+      });
+      return counts;
+    };
+    expect(await curves("#angle=40&layers=")).toEqual([1, 1, 1, 1, 1, 1, 1]);
+    expect(await curves("#angle=140&layers=")).toEqual([1, 2, 1, 2, 2, 2, 2]);
+  });
+
+  it.each([40, 140])("have the cursors on their curves, and the apex on shot and locus, at %d°", async (angle) => {
+    await visit(`#angle=${angle}&epsilon=0.7&layers=`, async ({ page }) => {
+      const svg = (await download(page, "#save-svg")).toString("utf8");
+      const paths = [...svg.matchAll(/<path d="([^"]*)"[^>]*stroke-width="2(?:\.6)?"/g)].map(([, d = ""]) => lines(d));
+      const handles = [".handle.apex", ...["elevation", "slope", "bend", "curvature"].map((name) => `#${name}-panel .handle`)];
+      const places = await page.evaluate(
+        (selectors) =>
+          selectors.map((selector) => {
+            const { transform } = (document.querySelector(selector) as HTMLElement).style;
+            return (transform.match(/-?[\d.]+/g) ?? []).map(Number) as [number, number];
+          }),
+        handles,
+      );
+      const [apex, ...cursors] = places;
+      const [, locus, shot, ...curves] = paths;
+      expect(curves).toHaveLength(4);
+      expect(distance(locus, apex)).toBeLessThan(0.5);
+      expect(distance(shot, apex)).toBeLessThan(0.5);
+      // Nowhere is the shot higher.
+      expect(Math.min(...shot.flat().map(([, y]) => y))).toBeGreaterThan(apex[1] - 0.5);
+      cursors.forEach((cursor, index) => expect(distance(curves[index], cursor), handles[index + 1]).toBeLessThan(0.5));
     });
   });
 
