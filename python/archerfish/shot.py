@@ -276,6 +276,14 @@ class Shot(Value):
             if np.any(downward):
                 low = time_of_descent(drop / weight, -self._launch[1] / weight, self._drag)
                 time = np.where(downward, low, time)
+            # In air that rises as fast as the projectile would fall, or faster, it may yet be
+            # fast enough to get down: the vertical motion is one against a headwind.
+            lifted = (angle < 0) & (drop >= 0) & (weight <= 0)
+            if np.any(lifted):
+                rise = self._launch[1]
+                still = time_of_drift(-drop / rise, self._drag)
+                first, _ = _times_in_wind(-drop, rise, -weight, self._drag)
+                time = np.where(lifted, np.where(weight == 0, still, first), time)
         return frozen(time)
 
     @cached_property

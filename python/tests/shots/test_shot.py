@@ -243,6 +243,20 @@ def test_a_shot_aimed_into_the_ground_lands_where_it_stands():
     assert landing.x[1] > 0
 
 
+@pytest.mark.parametrize("updraft", [1.0, 1.3])  # in terminal speeds
+def test_thrown_down_through_air_that_carries(updraft):
+    launcher = Launcher(10.0, gravity=10.0, drag_rate=0.5)
+    wind = (0.0, updraft * launcher.terminal_speed)
+    shot = launcher.shot(-1.2, height=[0.0, 1.0, 3.0, 50.0], wind=wind)
+    landing = shot.landing
+    assert np.isnan(landing.time).tolist() == [False, False, False, True]  # it is blown up again
+    assert landing.time[0] == 0.0
+    down = slice(1, 3)
+    np.testing.assert_allclose(shot.position(landing.time).y[down], 0.0, atol=1e-14)
+    assert np.all(landing.vy[down] < 0)
+    assert np.all(np.isnan(launcher.shot([0.5, 1.2], height=1.0, wind=wind).flight_time))
+
+
 def test_a_wind_that_is_no_vector_is_refused():
     with pytest.raises(TypeError, match=r"^wind must be \(x, y\) or \(x, y, z\) in m/s, got 3\.0$"):
         Launcher(10.0, epsilon=0.1).shot(0.5, wind=3.0)
