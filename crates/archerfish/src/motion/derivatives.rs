@@ -1,23 +1,23 @@
 //! Derivatives of the launch angle by the elevation: equation (18) and the one after.
 //!
-//! Method: `θ′ = P/Q` with `P = G + cos²α a` and `Q = cos²α + G² sin²α`, both positive sums;
-//! `P′ = cos α p` and `Q′ = cos α w`. For b = ε(1 − σ)²/2, dG/dα is cos α b ρ, and a is
-//! sin α b ρ; so most terms unite, and no difference of large ones is left:
+//! Method: `θ′ = P/Q` with `P = G + cos²α a` and `Q = cos²α + G² sin²α`, both positive sums, and
+//! `d²α/dθ² = −θ″/θ′³ = cos α (w P − p Q) Q / P³` where P′ = cos α p, Q′ = cos α w. With v = 1/(2 + u),
 //!
-//! - `p = b [cos²α/(1 + σ) − ρ (sin²α + (1 − σ) cos²α)]`,
-//! - `w = −sin α [a (1 + σ − (1 − σ) G) + (1 − σ)(1 + G)]`,
+//! - `p = ε v cos²α/(1 + u) − (a/sin α) (sin²α + 2v cos²α)`,
+//! - `w = −2v sin α [a (1 + u − G) + 1 + G]`.
 //!
-//! and `d²α/dθ² = −θ″/θ′³ = cos α (w P − p Q) Q / P³`.
+//! On the locus G is tan θ/tan α.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::select;
-use super::drag::Drag;
-use super::launch::{LARGE, Launch, SMALL, Scaled, TINY, within_domain};
+use super::super::real::{Logarithm, select};
+use super::drag::excess_ratio;
+use super::launch::{LARGE, SMALL, Scaled, TINY, within_domain};
 use super::locus::Elevated;
 
 /// 2⁻⁷⁰⁰ and 2¹⁶⁰
 const FLAT: f64 = f64::from_bits((1023 - 700) << 52);
 const STRONG: f64 = f64::from_bits((1023 + 160) << 52);
+const MINUS_TWO: DoubleDouble = DoubleDouble { hi: -2.0, lo: 0.0 };
 /// 2²⁰⁰
 const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
@@ -35,31 +35,47 @@ impl Elevated {
         let across = up.times(sin).minus(cos.squared()).times(self.sin_theta);
         top.quotient(top.times(self.cos_theta).plus(across).times(self.cos_theta))
     }
-}
 
-impl Launch {
     /// `d²α/dθ²`
     #[inline(always)]
     fn launch_angle_d2(&self) -> f64 {
-        let drag = Drag::<DoubleDouble>::at(self.u);
-        let (gain, sigma_plus_one) = (drag.gain(), drag.sigma_plus_one());
-        let Drag { sigma_rest, rho, a, .. } = drag;
-        let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
+        let (sin, cos) = self.direction();
+        let (sin2, cos2) = (sin.squared(), cos.squared());
+        let u = sin.times_double(self.epsilon);
+        let q = u.add_positive(1.0);
+        let q_plus_one = u.add_positive(2.0);
+        let v = DoubleDouble::from(1.0).div(q_plus_one);
+        let q_inverse = DoubleDouble::from(1.0).div(q);
+        // 0/0 at θ = 0
+        let gain = self.sin_theta.times(cos).div(self.cos_theta.times(sin));
+        let gain = DoubleDouble::select(sin.hi > 0.0, gain, DoubleDouble::from(0.5));
+
         // what is proportional to the result is lifted off the end of the range, then put back
-        let far = self.u.hi > 1e100;
-        let (factor, back) = (select(far, LIFT, 1.0), select(far, 1.0 / LIFT, 1.0));
-        let (lifted_rest, lifted_a) = (sigma_rest.scale(factor), a.scale(factor));
-        let b = lifted_rest.times_double(self.epsilon).times(sigma_rest).scale(0.5);
-        let p = b.times(cos2.div(sigma_plus_one).sub(rho.times(sin2.add(cos2.times(sigma_rest)))));
-        let bracket = lifted_a
-            .times(sigma_plus_one.sub(sigma_rest.times(gain)))
-            .add(lifted_rest.times(gain.add_double(1.0)));
-        let w = self.sin.times(bracket).neg();
-        let slope = gain.add(cos2.times(a));
-        let stretch = cos2.add(sin2.times(gain.squared()));
-        let difference = w.times(slope).sub(p.times(stretch));
-        let top = self.cos.times(difference).times(stretch);
-        top.quotient(slope.squared().times(slope)) * back
+        let far = u.hi > 1e100;
+        let (lift, back) = (select(far, LIFT, 1.0), select(far, 1.0 / LIFT, 1.0));
+
+        // a = ((2 + u) ln(1 + u)/u − 2)/u, or 2uv² ρ where that would cancel
+        let near = u.hi < 1.0;
+        let u_inverse = DoubleDouble::from(1.0).div(u);
+        let logarithm = Logarithm::of(q).value();
+        let far_a = logarithm.times(q_plus_one.times(u_inverse)).add_smaller(MINUS_TWO);
+        let far_a = far_a.times(u_inverse.scale(lift));
+        let series = v.squared().times(excess_ratio(u.times(v))).scale(2.0);
+        let a = DoubleDouble::select(near, series.times(u), far_a.scale(back));
+        let far_by_sin = far_a.times_double(self.epsilon).times(u_inverse);
+        let a_by_sin = DoubleDouble::select(near, series.times_double(self.epsilon), far_by_sin);
+
+        let lifted = v.scale(lift);
+        let p = lifted.times_double(self.epsilon).times(q_inverse).times(cos2);
+        let p = p.minus(a_by_sin.times(sin2.add_positives(v.scale(2.0).times(cos2))));
+        let bracket = a.times(q.minus(gain)).add_positives(gain.add_positive(1.0));
+        let w = lifted.scale(-2.0).times(sin).times(bracket);
+        let slope = gain.add_positives(cos2.times(a));
+        let stretch = cos2.add_positives(sin2.times(gain.squared()));
+        let difference = w.times(slope).minus(p.times(stretch));
+        let top = cos.times(difference).times(stretch);
+        let sign = select(self.mirrored, -1.0, 1.0);
+        sign * top.quotient(slope.squared().times(slope)) * back
     }
 }
 
@@ -88,6 +104,5 @@ pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
     let angle = select(flat & !strong, FLAT, angle);
     let epsilon = eps * select(tiny, LARGE, select(strong, SMALL, 1.0));
     let back = select(tiny, SMALL, select(strong, LARGE, 1.0));
-    let launch = Elevated::new(angle, epsilon).launch();
-    within_domain(theta, eps, launch.launch_angle_d2() * back)
+    within_domain(theta, eps, Elevated::new(angle, epsilon).launch_angle_d2() * back)
 }

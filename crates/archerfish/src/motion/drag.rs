@@ -11,8 +11,8 @@
 //! σ = (τ + s)/(1 + τ s). Then `artanh σ − σ = (k ln 2/2 − τ) + s³ ρ(s²) + τ s σ`: a sum of positive
 //! terms for every u, the polynomial needing s up to 1/3 only. Where k = 0, s is σ.
 
-use super::super::real::double_double::{DoubleDouble, Number};
-use super::super::real::{LN2_HI, LN2_LO, polynomial, power_and_inverse};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum};
+use super::super::real::{LN2_HI, LN2_LO, polynomial, power_and_inverse, select};
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
 // weighted error 1.36e-18: reference/coefficients.py artanh_tail
@@ -31,88 +31,71 @@ const ARTANH_TAIL: [f64; 11] = [
 ];
 const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
 /// k ln 2/2 − τ for k = 1 and 2, where it would cancel: ln 2/2 − 1/3 and ln 2 − 3/5
-const FIRST_EXCESSES: [DoubleDouble; 2] = [
-    DoubleDouble { hi: 0.013240256946639321, lo: 3.0410896052784116e-20 },
-    DoubleDouble { hi: 0.09314718055994531, lo: 9.860076459598653e-19 },
-];
+const FIRST_EXCESSES: [f64; 2] = [0.013240256946639321, 0.09314718055994531];
 
-/// Drag at one value of u = ε sin α.
-pub(crate) struct Drag<T> {
-    /// `σ = u/(2 + u)`
-    pub sigma: T,
-    /// `1 − σ = 2/(2 + u)`
-    pub sigma_rest: T,
-    /// `ρ(σ²)`
-    pub rho: T,
-    /// `a = u G′(u)`
-    pub a: T,
+/// `ρ(z)` for z up to 1/9, to 2⁻⁵⁸.
+#[inline(always)]
+fn ratio_of_square(z: f64) -> DoubleDouble {
+    let sum = fast_two_sum(THIRD.hi, z * polynomial(z, &ARTANH_TAIL));
+    DoubleDouble { hi: sum.hi, lo: sum.lo + THIRD.lo }
 }
 
-impl<T: Number> Drag<T> {
+/// `ρ(σ²)`, which is (artanh σ/σ − 1)/σ², for σ up to 1/3.
+#[inline(always)]
+pub(super) fn excess_ratio(sigma: DoubleDouble) -> DoubleDouble {
+    ratio_of_square(sigma.hi * sigma.hi)
+}
+
+/// Drag at one value of u = ε sin α.
+pub(super) struct Drag {
+    /// `σ = u/(2 + u)`
+    pub sigma: f64,
+    /// `1 − σ = 2/(2 + u)`
+    pub sigma_rest: f64,
+    /// `ρ(σ²)`
+    pub rho: f64,
+    /// `a = u G′(u)`
+    pub a: f64,
+}
+
+impl Drag {
     /// Of u ≥ 0.
     #[inline(always)]
-    pub fn at(u: DoubleDouble) -> Self {
-        let number = T::from_double;
-        // u as T holds it, everywhere: a hardly depends on u, but its parts must agree on one
-        let u = T::from_sum(u.hi, u.lo);
-        let (k, power) = power_and_inverse(1.0 + u.leading());
+    pub fn at(u: f64) -> Self {
+        let (k, (power, p)) = power_and_inverse(1.0 + u);
         let direct = k == 0.0;
         // exact, as 2ᵏ − 1 ≤ u < 2ᵏ⁺¹ − 1
-        let f = u.less_exactly(power.0 - 1.0).scaled(power.1);
-        let s = f / (number(2.0) + f);
-        let square = s * s;
-        let z = square.nearest();
-        let tail = z * polynomial(z, &ARTANH_TAIL);
-        let rho_s = T::from_sum(THIRD.hi, tail) + number(THIRD.lo);
+        let f = (u - (power - 1.0)) * p;
+        let s = f / (2.0 + f);
+        let z = s * s;
+        let rho_s = ratio_of_square(z).round();
 
         // with p = 2⁻ᵏ, C = 1 + p, A = C + f = p(2 + u), D = 1 − p + f = p u, by one division:
-        // I = 1/D² and W = 1/(CA), so that τ = 1 − 2pAW, σ = CDW
-        let (sum, rest) = (T::from_sum(1.0, power.1), T::from_sum(1.0, -power.1));
-        let (a, d) = (sum + f, rest + f);
-        let d_square = T::either(direct, number(1.0), d * d);
-        let product = sum * a;
-        let inverse = number(1.0) / (product * d_square);
+        // i = 1/D² and w = 1/(CA), so that τ = 1 − 2pAw, σ = CDw
+        let (c, rest) = (1.0 + p, 1.0 - p);
+        let (a, d) = (c + f, rest + f);
+        let d_square = select(direct, 1.0, d * d);
+        let product = c * a;
+        let inverse = 1.0 / (product * d_square);
         let (w, i) = (d_square * inverse, product * inverse);
-        let dw = d * w;
-        let p_double = 2.0 * power.1;
-        let sigma = T::either(direct, s, sum * dw);
-        let sigma_rest = T::either(direct, number(1.0) - s, (sum * w).scaled(p_double));
+        let sigma = select(direct, s, c * (d * w));
+        let sigma_rest = select(direct, 1.0 - s, 2.0 * p * (c * w));
 
-        let half_k = number(0.5 * k);
-        let first = (half_k * number(LN2_HI) - number(1.0)) + half_k * number(LN2_LO);
-        let first = first + (a * w).scaled(p_double);
-        let first = T::either(k == 2.0, T::from_pair(FIRST_EXCESSES[1]), first);
-        let first = T::either(k == 1.0, T::from_pair(FIRST_EXCESSES[0]), first);
-        let excess = first + (square * s * rho_s + rest * dw * s);
+        let first = (0.5 * k * LN2_HI - 1.0) + 0.5 * k * LN2_LO + 2.0 * p * (a * w);
+        let first = select(k == 2.0, FIRST_EXCESSES[1], first);
+        let first = select(k == 1.0, FIRST_EXCESSES[0], first);
+        let excess = first + (z * s * rho_s + rest * (d * w) * s);
 
         // a = 2 (artanh σ − σ)(2 + u)/u² = 2pA (artanh σ − σ)/D², and ρ = (artanh σ − σ)/σ³
         let ratio = a * d * i;
-        let above = (a * excess * i).scaled(p_double);
-        let rho = T::either(direct, rho_s, excess * ratio * ratio * ratio);
-        Drag { sigma, sigma_rest, rho, a: T::either(direct, sigma * sigma_rest * rho_s, above) }
-    }
-
-    /// `1 − a`
-    #[inline(always)]
-    pub fn a_rest(&self) -> T {
-        T::from_double(1.0) - self.a
-    }
-
-    /// `1 + σ`
-    #[inline(always)]
-    pub fn sigma_plus_one(&self) -> T {
-        T::from_double(1.0) + self.sigma
-    }
-
-    /// `G(u) = (1 + σ)(1 − a)/2`
-    #[inline(always)]
-    pub fn gain(&self) -> T {
-        (self.sigma_plus_one() * self.a_rest()).scaled(0.5)
+        let above = 2.0 * p * (a * excess * i);
+        let rho = select(direct, rho_s, excess * ratio * (ratio * ratio));
+        Drag { sigma, sigma_rest, rho, a: select(direct, s * sigma_rest * rho_s, above) }
     }
 
     /// `1 − G(u) = ((1 − σ) + (1 + σ) a)/2`, from 1/2 to 0
     #[inline(always)]
-    pub fn gain_rest(&self) -> T {
-        (self.sigma_rest + self.sigma_plus_one() * self.a).scaled(0.5)
+    pub fn gain_rest(&self) -> f64 {
+        0.5 * (self.sigma_rest + (1.0 + self.sigma) * self.a)
     }
 }

@@ -8,7 +8,6 @@ use super::drag::Drag;
 pub(crate) struct Launch {
     pub sin: DoubleDouble,
     pub cos: DoubleDouble,
-    pub epsilon: f64,
     /// `u = ε sin α`, as it fell from the product
     pub u: DoubleDouble,
 }
@@ -17,7 +16,7 @@ impl Launch {
     /// In the direction (cos α, sin α).
     #[inline(always)]
     pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: f64) -> Self {
-        Launch { sin, cos, epsilon, u: sin.times_double(epsilon) }
+        Launch { sin, cos, u: sin.times_double(epsilon) }
     }
 
     /// At the angle α in [0, π].
@@ -42,7 +41,7 @@ impl Launch {
     /// `a`, all that drag's special function contributes to an apex.
     #[inline(always)]
     pub fn a(&self) -> f64 {
-        Drag::<f64>::at(self.u).a
+        Drag::at(self.u.round()).a
     }
 
     /// `G(u) = (1 + u)(1 − a)/(2 + u)`

@@ -48,7 +48,7 @@ pub(crate) struct Elevated {
     pub cos_theta: DoubleDouble,
     pub epsilon: f64,
     /// whether θ > π/2
-    mirrored: bool,
+    pub mirrored: bool,
     theta: f64,
     /// `τ = tan β₀`
     tau: f64,
@@ -167,7 +167,7 @@ fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, epsilon: f64) -
     let sin_alpha = up.hi * cos_beta;
     let cos_alpha = (cos.hi - tau * sin) * cos_beta;
     let u = epsilon * sin_alpha;
-    let drag = Drag::<f64>::at(DoubleDouble::from(u));
+    let drag = Drag::at(u);
     let Drag { sigma, sigma_rest, rho, a } = drag;
 
     // how far τ is from the right side: 1 − G is (1 + (1 + u) a)/(2 + u)
