@@ -231,7 +231,8 @@ def _blocks(reader: Iterator[list[str]], tally: _Tally) -> Iterator[list[list[st
             raise _refused(f"the input is not CSV after row {line}: {error}") from error
         if not block:
             return
-        yield [row for row in block if row]
+        if rows := [row for row in block if row]:
+            yield rows
 
 
 def _answer_block(

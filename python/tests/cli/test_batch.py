@@ -326,6 +326,13 @@ def test_a_terminal_gets_a_bar_for_long_work(tmp_path):
     assert text.rstrip().endswith("wrote out.csv")
 
 
+def test_blank_lines_are_no_rows(output):
+    flags = ("shot", "--speed", "3", "--epsilon", "1", "--batch", "-")
+    many = "\n" * (batch.BLOCK + 5)
+    for text, count in (("", 0), ("\n\n", 0), (f"\n45\n\n30{many}45", 3), (many, 0)):
+        assert len(rows(output(*flags, input="launch_angle_deg\n" + text))) == count
+
+
 def test_cells_that_want_quotes_keep_them(output):
     """A block with such a cell and one without are written in two ways, which must agree."""
     names = ["plain", "a, b", 'said "so"', "two\nlines", "", " spaces "]
