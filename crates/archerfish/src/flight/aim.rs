@@ -155,23 +155,27 @@ impl Target {
         let exponential = Exponential::of(-argument);
         let power = power_of_two(exponential.n);
         let significand = exponential.loose_significand();
-        let low = power * (significand.lo - w.lo * significand.hi);
-        let rest = fast_two_sum(power * significand.hi, low);
-        let gone = fast_two_sum(1.0, -rest.hi);
+        let (high, low) =
+            (power * significand.hi, power * (significand.lo - w.lo * significand.hi));
+        let gone = fast_two_sum(1.0, -high); // short of `low`
         let far = fast_two_sum(w.hi, -gone.hi);
-        let far = fast_two_sum(far.hi, far.lo + (w.lo - (gone.lo - rest.lo)));
+        let far = fast_two_sum(far.hi, far.lo + (w.lo - (gone.lo - low)));
         let far = far.times(self.end).times(self.end);
         let near = fast_two_sum(0.5, exponential.r * exponential.bend);
         let near = near.times(two_square(t));
         let fall = DoubleDouble::select(exponential.n == 0.0, near, far);
         let slowed = two_product(lambda, fall.hi);
         let way = fast_two_sum(t, -slowed.hi);
-        let way = fast_two_sum(way.hi, way.lo - (slowed.lo + lambda * fall.lo));
+        let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
+        let rest = high + low;
         let up = self.y.add(fall.times(self.gamma));
 
+        // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
         let (way_square, up_square, x_square) = (way.squared(), up.squared(), self.x.squared());
-        let excess = way_square.sub(x_square).sub(up_square).round();
-        let model = Model::new(self, way.hi, rest.hi, rest.hi - gamma * up.hi, excess);
+        let ahead = fast_two_sum(way_square.hi, -x_square.hi);
+        let excess =
+            (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
+        let model = Model::new(self, way.hi, rest, rest - gamma * up.hi, excess);
         // H at its greatest, times `unit`, by what y is off the envelope
         let discriminant = model.discriminant();
         let digits = model.unit * -model.bend * contact.up * (self.y.hi.abs() + contact.up);
@@ -188,13 +192,13 @@ impl Target {
         let inverse = 1.0 / (denominator * divisor);
         let theta = numerator * divisor * inverse;
         // the rest of the fourth order
-        let loss = lambda * rest.hi;
-        let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest.hi) * model.curvature);
+        let loss = lambda * rest;
+        let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest) * model.curvature);
         let square = theta * theta;
         let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
         let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
         let theta = theta + select(small, correction, 0.0);
-        (up.add_double(gamma * (way.hi * theta)), on, there)
+        (fast_two_sum(up.hi, up.lo + gamma * (way.hi * theta)), on, there)
     }
 }
 
@@ -259,7 +263,9 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let turn = angle(DoubleDouble::select(down, up.neg(), up), across);
     let turn = DoubleDouble::select(down, turn.neg(), turn);
     // downwards and backwards the angle goes on from π
-    let turn = DoubleDouble::select(down & (x < 0.0), WHOLE.add(turn), turn).round();
+    let whole = DoubleDouble::select(down & (x < 0.0), WHOLE, DoubleDouble::from(0.0));
+    let sum = fast_two_sum(whole.hi, turn.hi);
+    let turn = sum.hi + (sum.lo + (turn.lo + whole.lo));
     let turn = select((x == 0.0) & (y == 0.0) & (sense == LOW), 0.0, turn);
     let inside = there & contact.below & (y > f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere

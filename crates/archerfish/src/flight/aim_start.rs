@@ -134,7 +134,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let fall = if low {
         greater(tangent / touching, greater(r2 / launch, ended_fall))
     } else {
-        let first = select(touching < launch, touching, launch) * mu * mu;
+        let first = launch * mu * mu;
         let ended_fall = greater(ended_fall, 0.0);
         select(ended_fall < first, ended_fall, first)
     };
@@ -149,7 +149,9 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let denominator = model.slope + sense * sqrt(greater(model.discriminant(), 0.0));
     let theta = -model.excess / denominator;
     let inside = excess > 0.0;
-    let neighbouring = inside & (theta.abs() < way * (0.4 + 0.85 * (lambda * way)));
+    // as far as three derivatives see; before the launch there is nothing
+    let reach = if low { way * (0.4 + 0.85 * (lambda * way)) } else { 1.25 * end };
+    let neighbouring = inside & (theta.abs() < reach);
     let fall = select(neighbouring, contact.fall + way * theta, fall);
 
     // the time of λ²β = w − 1 + e⁻ʷ
@@ -170,7 +172,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     }
 }
 
-/// The step of third order in t towards `w = −ln(1 − λR)`, R being the distance of the target from
+/// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
 /// where all shots have fallen to.
 #[inline(always)]
 fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
@@ -187,17 +189,10 @@ fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
     let f = select(k == 0.0, -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
     let value = t + logarithm * target.end.hi;
-    // all multiplied with R (R rest)²
     let unit = distance * rest;
-    let first = up * gamma * way;
-    let long = unit * distance;
-    let slope = (unit - first) * long;
-    let second = gamma * gamma * way * way;
-    let bend = second * long + first * first * (share - rest);
-    let constant = value * (unit * long);
-    let root = sqrt(greater(slope * slope + 2.0 * (bend * constant), 0.0));
-    let change = -2.0 * constant / (slope + root);
+    let slope = unit - up * gamma * way;
+    let change = -(value * unit) / slope;
     // less than that the logarithm and t are not sure of
-    let sure = (slope > 0.0) & (rest > 1e-300) & (value < t * -0.0078125);
+    let sure = (slope > 0.125 * unit) & (rest > 1e-300) & (value < t * -0.0078125);
     select(sure, change, 0.0)
 }
