@@ -208,13 +208,6 @@ impl DoubleDouble {
         DoubleDouble { hi: self.hi * b, lo: self.lo * b }
     }
 
-    /// `self²`, to 2⁻¹⁰⁰ of itself.
-    #[inline(always)]
-    pub fn square(self) -> Self {
-        let square = self.squared();
-        fast_two_sum(square.hi, square.lo)
-    }
-
     /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself, as `times`.
     #[inline(always)]
     pub fn div_by(self, b: Self, inverse: f64) -> Self {
