@@ -1,11 +1,13 @@
 /** Trajectories and their envelope, for drawing. Lengths in ρ, times in V₀/g. */
 
 import { columnOf, linspace, type Column, type Kernels } from "./kernels.ts";
-import { POINTS } from "./curves.ts";
 import { radians } from "./numbers.ts";
 
 /** Launch angles of the fan, degrees: those of Figure 1. */
 export const FAN_ANGLES: readonly number[] = Array.from({ length: 18 }, (_, index) => 5 * (index + 1));
+
+/** Instants that all shots share: a point a pixel of the longest shot on a page. */
+const INSTANTS = 1000;
 
 /** One shot among the instants it shares with all. */
 export interface Flight {
@@ -20,7 +22,7 @@ export interface Flight {
  * Flights at any launch angles, from two calls of a kernel for all of them.
  *
  * At a time t all shots are on one circle, whose radius X and height Y the level shot shows: the
- * shot at α is at (X cos α, X sin α + Y). So all share 2000 instants, from launch to the landing of
+ * shot at α is at (X cos α, X sin α + Y). So all share their instants, from launch to the landing of
  * the steepest; half of them before its apex, and denser next to it, where strong drag turns a shot.
  */
 export class Instants {
@@ -34,7 +36,7 @@ export class Instants {
   readonly #height: Column;
 
   constructor(kernels: Kernels) {
-    const room = () => kernels.column(POINTS);
+    const room = () => kernels.column(INSTANTS);
     this.#kernels = kernels;
     this.#one = [columnOf(kernels, [Math.PI / 2]), kernels.column(1), kernels.column(1)];
     [this.#time, this.#level, this.#epsilon, this.#radius, this.#height] = [room(), room(), room(), room(), room()];
@@ -66,7 +68,7 @@ export class Instants {
 
   #spread(apex: number, landing: number): void {
     const times = this.#time.values;
-    const half = POINTS / 2;
+    const half = INSTANTS / 2;
     for (let index = 0; index < half; index += 1) {
       times[index] = (apex * index) / half;
       const part = index / (half - 1);

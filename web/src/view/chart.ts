@@ -42,7 +42,6 @@ export interface Layers {
 /** Which of a curve's numbers are taken, and where they go in the domain: multiplied, then shifted. */
 export interface Placement {
   readonly to?: number;
-  readonly step?: number;
   readonly xScale?: number;
   readonly yScale?: number;
   readonly xShift?: number;
@@ -202,7 +201,7 @@ export class Chart {
     pen: Pen,
     xs: ArrayLike<number>,
     ys: ArrayLike<number>,
-    { to = xs.length, step = 1, xScale = 1, yScale = 1, xShift = 0, yShift = 0, shear = 0 }: Placement = {},
+    { to = xs.length, xScale = 1, yScale = 1, xShift = 0, yShift = 0, shear = 0 }: Placement = {},
   ): void {
     const [x0 = 0, x1 = 1] = this.x.range();
     const [y0 = 0, y1 = 1] = this.y.range();
@@ -217,13 +216,13 @@ export class Chart {
     let lastY = NaN;
     let alongX = NaN;
     let alongY = NaN;
-    for (let index = 0; index < to; index += step) {
+    for (let index = 0; index < to; index += 1) {
       const px = xs[index] * xFactor + xOffset;
       const py = ys[index] * yFactor + xs[index] * mixed + yOffset;
       const dx = px - lastX;
       const dy = py - lastY;
       const far = dx * dx + dy * dy;
-      if (index + step < to) {
+      if (index < to - 1) {
         if (far < 1) continue;
         // Nearly straight on from the last chord, and near: the next point will do.
         const aside = alongX * dy - alongY * dx;

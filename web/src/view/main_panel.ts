@@ -9,8 +9,6 @@ import { compareStroke, DASHES, type Palette } from "./palette.ts";
 
 /** Teeth of the curvature comb. */
 const TEETH = 90;
-/** Thin lines take every second instant. */
-const THIN = 2;
 /** Length of the arrow of the launch direction, as a part of the plot's height. */
 const ARROW = 0.3;
 
@@ -93,11 +91,11 @@ export class MainPanel {
   }
 
   /** A shot, turned from the level shot that shows the circles, or its mirror image. */
-  #flight(pen: Pen, { scales }: Scene, { cosine, sine, count, range }: Flight, side: 1 | -1, step: number): void {
+  #flight(pen: Pen, { scales }: Scene, { cosine, sine, count, range }: Flight, side: 1 | -1): void {
     const { chart } = this;
     const unit = scales.length / this.#metres;
     const { radius, height } = this.#model.instants(scales.epsilon);
-    const placement = { to: count, step, xScale: side * unit * cosine, yScale: unit, shear: unit * sine };
+    const placement = { to: count, xScale: side * unit * cosine, yScale: unit, shear: unit * sine };
     chart.curve(pen, radius, height, placement);
     pen.lineTo(chart.x(side * range * unit), chart.y(0));
   }
@@ -132,8 +130,8 @@ export class MainPanel {
       const fan = this.#model.fan(scales.epsilon);
       painter.stroke(strokes.fan, (pen) => {
         for (const flight of fan.flights) {
-          this.#flight(pen, scene, flight, 1, THIN);
-          if (state.sides === "both") this.#flight(pen, scene, flight, -1, THIN);
+          this.#flight(pen, scene, flight, 1);
+          if (state.sides === "both") this.#flight(pen, scene, flight, -1);
         }
       });
     }
@@ -156,7 +154,7 @@ export class MainPanel {
     const { state, scales, apex, position, time } = scene;
     const unit = scales.length / this.#metres;
     const shot = this.#model.shot(scene);
-    painter.stroke({ color: colors.shot, width: 2 }, (pen) => this.#flight(pen, scene, shot, 1, 1));
+    painter.stroke({ color: colors.shot, width: 2 }, (pen) => this.#flight(pen, scene, shot, 1));
     if (shows(state, "circle")) {
       const { radius, centre } = this.#model.shots.front(time, scales.epsilon);
       const pixels = chart.x(radius * unit) - chart.x(0);
