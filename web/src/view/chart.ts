@@ -79,6 +79,9 @@ export class Chart {
   /** The curves without what the shot moves, kept once the shot moves alone. */
   readonly #kept = canvasContext();
   #isKept = false;
+  #ratio = NaN;
+  /** Of the canvas, in the chart. */
+  #box = { left: 0, top: 0, width: 0, height: 0 };
   #axisLabels: { x: string; y: string };
   #extent: Extent = { x: [0, 1], y: [0, 1] };
   #layers: Layers | undefined;
@@ -124,20 +127,30 @@ export class Chart {
     const font = parseFloat(getComputedStyle(this.host).fontSize);
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const same = clientWidth === this.width && clientHeight === this.height && font === this.fontSize;
-    if (same && this.#screen.canvas.width === Math.round(clientWidth * ratio)) return false;
+    if (same && ratio === this.#ratio) return false;
     [this.width, this.height, this.fontSize] = [clientWidth, clientHeight, font];
-    for (const context of [this.#screen, this.#kept]) {
-      context.canvas.width = Math.round(clientWidth * ratio);
-      context.canvas.height = Math.round(clientHeight * ratio);
-      context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    }
-    // Pixel for pixel: a box of broken width would blur it.
-    const { canvas } = this.#screen;
-    canvas.style.width = `${clientWidth}px`;
-    canvas.style.height = `${clientHeight}px`;
+    this.#place(ratio);
     this.#back.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     this.#forget();
     return true;
+  }
+
+  /** The canvas covers the plot without its margins, and a pixel more: lines along the edge keep their width. */
+  #place(ratio: number): void {
+    this.#ratio = ratio;
+    const { margin, plot } = this;
+    // Whole pixels: a box between them would blur it.
+    const [left, top] = [Math.floor(margin.left - 1), Math.floor(margin.top - 1)];
+    const [width, height] = [Math.ceil(margin.left + plot.width + 1) - left, Math.ceil(margin.top + plot.height + 1) - top];
+    this.#box = { left, top, width, height };
+    for (const context of [this.#screen, this.#kept]) {
+      context.canvas.width = Math.round(width * ratio);
+      context.canvas.height = Math.round(height * ratio);
+      context.setTransform(ratio, 0, 0, ratio, -left * ratio, -top * ratio);
+    }
+    for (const [name, value] of Object.entries(this.#box)) {
+      this.#screen.canvas.style.setProperty(name, `${value}px`);
+    }
   }
 
   /** What the axes span, and what stands at them. */
@@ -298,18 +311,12 @@ export class Chart {
   }
 
   #paint(context: CanvasRenderingContext2D, ...parts: (Layer | CanvasRenderingContext2D)[]): void {
-    context.clearRect(0, 0, this.width, this.height);
-    context.save();
-    const { top, left } = this.margin;
-    context.beginPath();
-    // A pixel more: lines along the edge keep their width.
-    context.rect(left - 1, top - 1, this.plot.width + 2, this.plot.height + 2);
-    context.clip();
+    const { left, top, width, height } = this.#box;
+    context.clearRect(left, top, width, height);
     for (const part of parts) {
-      if (part instanceof CanvasRenderingContext2D) context.drawImage(part.canvas, 0, 0, this.width, this.height);
+      if (part instanceof CanvasRenderingContext2D) context.drawImage(part.canvas, left, top, width, height);
       else part.draw(new CanvasPainter(context));
     }
-    context.restore();
   }
 
   #drawAxes(): void {
