@@ -37,9 +37,10 @@ const ENDED: f64 = 700.0;
 /// direction by what the last digit does.
 const FAR: f64 = 1e35;
 const DEEP: f64 = 1e70;
-/// What enlarges tiny targets: 2¹⁰⁰⁰ and, for the tiniest, 2⁷⁰.
+/// What enlarges tiny targets: 2¹⁰⁰⁰ and 2⁷⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
+const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 /// 2π
 const WHOLE: DoubleDouble =
     DoubleDouble { hi: core::f64::consts::TAU, lo: f64::from_bits(0x3cb1_a626_3314_5c07) };
@@ -61,6 +62,7 @@ pub(super) struct Target {
     pub gamma: DoubleDouble,
     /// `1/λ`
     pub end: DoubleDouble,
+    pub end_square: f64,
     /// `λx` and `λy`
     pub share: DoubleDouble,
     pub rise: f64,
@@ -80,6 +82,7 @@ impl Target {
         let mu = select(strong, epsilon, 1.0);
         let one_or_inverse =
             |one: bool| DoubleDouble { hi: select(one, 1.0, inverse), lo: select(one, 0.0, rest) };
+        let end = one_or_inverse(strong);
         let bounded = |value: DoubleDouble, bound: f64| {
             let hi = select(value.hi > -bound, value.hi, -bound);
             DoubleDouble { hi: select(hi < bound, hi, bound), lo: value.lo }
@@ -93,7 +96,8 @@ impl Target {
             mu,
             lambda: select(strong, 1.0, epsilon),
             gamma: one_or_inverse(!strong),
-            end: one_or_inverse(strong),
+            end,
+            end_square: end.hi * end.hi,
             share,
             rise,
             beyond: ((1.0 - share.hi) - share.lo) * ((1.0 + share.hi) + share.lo),
@@ -112,7 +116,7 @@ impl Target {
         let near = n == 0.0;
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
-        let far = (w - (1.0 - rest)) * self.end.hi * self.end.hi;
+        let far = (w - (1.0 - rest)) * self.end_square;
         let fall = select(near, start.t * start.t * q, far);
         let way = start.t - lambda * fall;
         // on to where β is as wanted
@@ -130,7 +134,7 @@ impl Target {
         let (x, y) = (self.x.hi, self.y.hi);
         let up = y + gamma * fall;
         let gone = rest * (1.0 + lambda * way);
-        let excess_far = (self.beyond - gone) * self.end.hi * self.end.hi - up * up;
+        let excess_far = (self.beyond - gone) * self.end_square - up * up;
         let excess_near = (way - x) * (way + x) - up * up;
         let excess = select(near, excess_near, excess_far);
         let model = Model::new(self, way, rest, rest - gamma * up, excess);
@@ -146,9 +150,15 @@ impl Target {
         t + share * way * (1.0 - rest * share * series)
     }
 
-    /// `Y + γβ` at the zero, t being near; and whether there is one.
+    /// `Y + γβ` at the zero, t being near, and X, by the same factor; whether they are on the
+    /// envelope, and whether there is a zero.
     #[inline(always)]
-    fn up(&self, sense: f64, t: f64, contact: &Contact) -> (DoubleDouble, bool, bool) {
+    fn direction(
+        &self,
+        sense: f64,
+        t: f64,
+        contact: &Contact,
+    ) -> (DoubleDouble, DoubleDouble, bool, bool) {
         let (lambda, gamma) = (self.lambda, self.gamma.hi);
         let w = two_product(lambda, t);
         let argument = select(w.hi < ENDED, w.hi, ENDED);
@@ -168,7 +178,12 @@ impl Target {
         let way = fast_two_sum(t, -slowed.hi);
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
-        let up = self.y.add(fall.times(self.gamma));
+        // where γ is tiny, so may the rise be
+        let tiny = (sense == LOW) & (self.epsilon > 1e150);
+        let (large, back) = (select(tiny, LARGE, 1.0), select(tiny, 1.0 / LARGE, 1.0));
+        let scaled_gamma = self.gamma.scale(large);
+        let scaled_up = self.y.scale(large).add(fall.times(scaled_gamma));
+        let up = scaled_up.scale(back);
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
         let (way_square, up_square, x_square) = (way.squared(), up.squared(), self.x.squared());
@@ -198,7 +213,9 @@ impl Target {
         let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
         let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
         let theta = theta + select(small, correction, 0.0);
-        (fast_two_sum(up.hi, up.lo + gamma * (way.hi * theta)), on, there)
+        let scaled_up =
+            fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma.hi * (way.hi * theta));
+        (scaled_up, self.x.scale(large), on, there)
     }
 }
 
@@ -243,17 +260,16 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let contact = Contact::of(&target, x, y);
     let start = start(&target, &contact, sense);
     let t = select(contact.close, contact.t, target.step(sense, &start));
-    let (up, on, there) = target.up(sense, t, &contact);
+    let (up, across, on, there) = target.direction(sense, t, &contact);
 
     // at the end of all motion the way is 1/λ
     let ended = (start.end > RELAXED) & !on;
     let level = DoubleDouble::from(-sense * start.level);
     let up = DoubleDouble::select(ended, level, up);
-    let across = DoubleDouble::select(ended, target.share, target.x);
+    let across = DoubleDouble::select(ended, target.share, across);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
     let near = (sense == LOW) & (target.x.hi.abs() + target.y.hi.abs() < 1e-30);
-    let tiny = near & (x.abs() + y.abs() < 1e-150);
-    let enlarged = |a: f64| a * MOST * select(tiny, MORE, 1.0);
+    let enlarged = |a: f64| a * MOST * MORE;
     let (ahead, above) = (enlarged(x), enlarged(y));
     let fallen = 0.5 * (ahead * x + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above).add_double(fallen), up);

@@ -69,7 +69,7 @@ impl Contact {
         let w = -(k * core::f64::consts::LN_2 + 2.0 * (s * artanh_ratio));
         let psi = (1.0 - s * (1.0 - s) * rho) * inverse;
         let far = w - v;
-        let fall = select(near, way * way * psi, far * end * end);
+        let fall = select(near, way * way * psi, far * target.end_square);
         let t = select(near, way * (2.0 * (artanh_ratio * inverse)), w * end);
 
         let height = up - gamma * fall;
@@ -117,8 +117,8 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     // X² + Y² less the height of the tangent at β = 0, from below
     let Contact { way, rest, .. } = *contact;
     let tangent_near = r2 - way * way * (1.0 - contact.ratio + 16.0 * f64::EPSILON);
-    let tangent_far =
-        (rest * (2.0 - rest) + contact.twice - before_wall - 16.0 * f64::EPSILON) * end * end;
+    let tangent_far = (rest * (2.0 - rest) + contact.twice - before_wall - 16.0 * f64::EPSILON)
+        * target.end_square;
     let tangent = select(contact.near, tangent_near, tangent_far);
     // γ²β less half of what the two zeros have in common
     let outer = |k: f64, tangent: f64| {
@@ -142,7 +142,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     // by the approximation at the touching point
     let up = y + gamma * contact.fall;
     let excess_near = (way - x) * (way + x) - up * up;
-    let excess_far = (beyond - rest * (2.0 - rest)) * end * end - up * up;
+    let excess_far = (beyond - rest * (2.0 - rest)) * target.end_square - up * up;
     let excess = select(contact.near, excess_near, excess_far);
     let model = Model::new(target, way, rest, rest - gamma * up, excess);
     // inside, the root is the greater of the two
@@ -161,14 +161,18 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let q = select(q < 1e30, q, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
     let t = lambda * fall + way;
-    let change = if low { straight(target, t, way, fall) } else { 0.0 };
-    let last = select(inside & low, contact.t, f64::INFINITY);
+    let end = ended * target.epsilon;
+    if !low {
+        return Start { t, fall, moved: false, level, end };
+    }
+    let change = straight(target, t, way, fall);
+    let last = select(inside, contact.t, f64::INFINITY);
     Start {
         t: select(t + change < last, t + change, last),
         fall: fall + change * (way + 0.5 * (1.0 - lambda * way) * change),
         moved: change.abs() > 0.03125 * t,
         level,
-        end: ended * target.epsilon,
+        end,
     }
 }
 
