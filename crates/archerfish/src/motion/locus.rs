@@ -54,6 +54,7 @@ pub(crate) struct Elevated {
     tau: f64,
     /// `sin θ + τ cos θ`, which is sin(θ + β₀)/cos β₀
     up: DoubleDouble,
+    cos_beta: DoubleDouble,
     /// `α − θ − β₀`, for θ ≤ π/2
     step: f64,
 }
@@ -67,8 +68,10 @@ impl Elevated {
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
         let up = sin_theta.add_smaller(cos_theta.times_double(tau));
-        let step = step(sin_theta.hi, cos_theta, tau, up, epsilon);
-        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, step }
+        let cos_beta = cos_of_tan(tau);
+        let u = up.times(cos_beta).times_double(epsilon).round();
+        let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u);
+        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, step }
     }
 
     /// α in [0, π]
@@ -84,19 +87,8 @@ impl Elevated {
     /// sin α and |cos α|
     #[inline(always)]
     pub fn direction(&self) -> (DoubleDouble, DoubleDouble) {
-        // 1/√(1 + τ²), from its rounded value; the residuals are of the root and of the division
-        let square = two_square(self.tau);
-        let sum = fast_two_sum(1.0, square.hi);
-        let root = sqrt(sum.hi);
-        let inverse = 1.0 / root;
-        let root_square = two_square(root);
-        let root_rest =
-            (((sum.hi - root_square.hi) - root_square.lo) + (sum.lo + square.lo)) * (0.5 * inverse);
-        let one = two_product(root, inverse);
-        let rest = ((1.0 - one.hi) - one.lo) - inverse * root_rest;
-        let cos_beta = DoubleDouble { hi: inverse, lo: inverse * rest };
         let along = self.cos_theta.sub_smaller(self.sin_theta.times_double(self.tau));
-        let (sin, cos) = (self.up.times(cos_beta), along.times(cos_beta));
+        let (sin, cos) = (self.up.times(self.cos_beta), along.times(self.cos_beta));
         let half_square = 0.5 * self.step * self.step;
         let cube = half_square * self.step * (1.0 / 3.0);
         let turn = |along: DoubleDouble, across: DoubleDouble| {
@@ -120,6 +112,20 @@ impl Elevated {
         let q = sin.times_double(self.epsilon).add_positive(1.0);
         sin.times(cos).quotient(q.times(self.cos_theta))
     }
+}
+
+/// `1/√(1 + τ²)`, from its rounded value; the residuals are of the root and of the division.
+#[inline(always)]
+fn cos_of_tan(tau: f64) -> DoubleDouble {
+    let square = two_square(tau);
+    let sum = fast_two_sum(1.0, square.hi);
+    let sum = DoubleDouble { hi: sum.hi, lo: sum.lo + square.lo };
+    let root = sqrt(sum.hi);
+    let inverse = 1.0 / root;
+    let root_rest = sum.less_square(root) * (0.5 * inverse);
+    let one = two_product(root, inverse);
+    let rest = ((1.0 - one.hi) - one.lo) - inverse * root_rest;
+    DoubleDouble { hi: inverse, lo: inverse * rest }
 }
 
 /// τ to 2⁻¹⁷ of sin α or better.
@@ -161,12 +167,10 @@ fn rough_tan(sin: f64, cos: f64, epsilon: f64) -> f64 {
 /// of G, which grow with 1/sin α and 1/sin²α, while the step shrinks with sin α: it is computed in
 /// units of sin α. All divisions are one.
 #[inline(always)]
-fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, epsilon: f64) -> f64 {
+fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, cos_beta: f64, u: f64) -> f64 {
     let secant_square = 1.0 + tau * tau;
-    let cos_beta = 1.0 / sqrt(secant_square);
     let sin_alpha = up.hi * cos_beta;
     let cos_alpha = (cos.hi - tau * sin) * cos_beta;
-    let u = epsilon * sin_alpha;
     let drag = Drag::at(u);
     let Drag { sigma, sigma_rest, rho, a } = drag;
 
