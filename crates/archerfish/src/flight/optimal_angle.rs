@@ -40,10 +40,10 @@ fn strong(epsilon: f64) -> f64 {
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
     let residual = right.add_double(-w).sub(logarithm(w)).round();
-    DoubleDouble::from(w)
-        .add_double(residual * w / (1.0 + w))
-        .div(DoubleDouble::from(epsilon))
-        .round()
+    // divided by less: products next to the largest double lose their errors
+    const LESS: f64 = f64::from_bits((1023 - 100) << 52);
+    let sum = DoubleDouble::from(w).add_double(residual * w / (1.0 + w));
+    sum.div(DoubleDouble::from(epsilon * LESS)).round() * LESS
 }
 
 /// Launch angle of the greatest range over level ground, in radians.
