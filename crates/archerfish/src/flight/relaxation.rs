@@ -3,7 +3,7 @@
 //! Method: up to w = 0.7 `E₂ = 1/2 − w/6 + w² p(w)` and `E₁ = 1 − w E₂`; beyond, from e⁻ʷ,
 //! `E₁ = (1 − e⁻ʷ)/w` and `E₂ = (1 − E₁)/w`, which lose a bit or two of more than there need be.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum};
 use super::super::real::{Exponential, polynomial, power_of_two, select};
 
 // fall_tail: minimax on [0.0, 0.7001], degree 9,
@@ -20,7 +20,8 @@ pub(super) const FALL_TAIL: [f64; 10] = [
     2.0191435273508916e-09,
     -1.2012402872530096e-10,
 ];
-const SIXTH: DoubleDouble = DoubleDouble { hi: 0.16666666666666666, lo: 9.25185853854297e-18 };
+const MINUS_SIXTH: DoubleDouble =
+    DoubleDouble { hi: -0.16666666666666666, lo: -9.25185853854297e-18 };
 
 /// E₁ and E₂ at one w.
 pub(super) struct Relaxation {
@@ -39,15 +40,15 @@ impl Relaxation {
         let power = power_of_two(exponential.n);
         let low = significand.lo - w.lo * significand.hi;
         let rest = fast_two_sum(power * significand.hi, power * low);
-        let gone = two_sum(1.0, -rest.hi);
-        let gone = fast_two_sum(gone.hi, gone.lo - rest.lo);
+        let gone = DoubleDouble::from(1.0).sub_smaller(rest);
         let inverse = 1.0 / w.hi;
         let speed_far = gone.div_by(w, inverse);
-        let fall_far = DoubleDouble::from(1.0).sub(speed_far).div_by(w, inverse);
+        let fall_far = DoubleDouble::from(1.0).sub_smaller(speed_far).div_by(w, inverse);
 
-        let linear = DoubleDouble::from(0.5).sub(w.times(SIXTH));
-        let fall_near = linear.add_double(w.hi * w.hi * polynomial(w.hi, &FALL_TAIL));
-        let speed_near = DoubleDouble::from(1.0).sub(w.times(fall_near));
+        let linear = DoubleDouble::from(0.5).add_smaller(w.times(MINUS_SIXTH));
+        let tail = w.hi * w.hi * polynomial(w.hi, &FALL_TAIL);
+        let fall_near = linear.add_smaller(DoubleDouble::from(tail));
+        let speed_near = DoubleDouble::from(1.0).sub_smaller(w.times(fall_near));
 
         let near = w.hi < 0.7;
         Relaxation {

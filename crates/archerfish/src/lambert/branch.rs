@@ -76,7 +76,8 @@ const LOWER_CLOSE_TAIL: [f64; 9] = [
 pub(super) const INVERSE_E: DoubleDouble =
     DoubleDouble { hi: 0.36787944117144233, lo: -1.2428753672788363e-17 };
 const TWO_E: DoubleDouble = DoubleDouble { hi: 5.43656365691809, lo: 2.8912937834585003e-16 };
-const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
+const MINUS_THIRD: DoubleDouble =
+    DoubleDouble { hi: -0.3333333333333333, lo: -1.850371707708594e-17 };
 
 /// Offsets up to which the series serve for 1 + W: |p| < 1/2.
 pub(super) const NEAR: f64 = 0.045984;
@@ -99,9 +100,9 @@ fn root(offset: DoubleDouble) -> DoubleDouble {
 #[inline(always)]
 fn series(p: DoubleDouble, tail: f64) -> DoubleDouble {
     let square = p.squared();
-    let third = square.times(THIRD);
-    let sum = fast_two_sum(p.hi, -third.hi);
-    let small = p.lo - third.lo + square.hi * p.hi * tail;
+    let third = square.times(MINUS_THIRD);
+    let sum = fast_two_sum(p.hi, third.hi);
+    let small = p.lo + third.lo + square.hi * p.hi * tail;
     fast_two_sum(sum.hi, sum.lo + small)
 }
 
@@ -135,11 +136,11 @@ pub(super) fn square(offset: f64) -> f64 {
 /// W₀ by p in [0, 1/5].
 #[inline(always)]
 pub(super) fn principal_close(p: f64) -> f64 {
-    (p - p * p * (THIRD.hi - p * polynomial(p, &PRINCIPAL_CLOSE_TAIL))) - 1.0
+    (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &PRINCIPAL_CLOSE_TAIL))) - 1.0
 }
 
 /// W₋₁ by p in [−1/5, 0].
 #[inline(always)]
 pub(super) fn lower_close(p: f64) -> f64 {
-    (p - p * p * (THIRD.hi - p * polynomial(p, &LOWER_CLOSE_TAIL))) - 1.0
+    (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &LOWER_CLOSE_TAIL))) - 1.0
 }
