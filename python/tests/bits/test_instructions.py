@@ -38,7 +38,7 @@ LIBM = re.compile(
 )
 
 
-INSTRUCTION = re.compile(r"\t(v\w+) +([^#\n]*?)(?: +# ([0-9a-f]+) <.*)?$", re.MULTILINE)
+INSTRUCTION = re.compile(r"\t([vk]\w+) +([^#\n]*?)(?: +# ([0-9a-f]+) <.*)?$", re.MULTILINE)
 OPERAND = re.compile(r"[^,(]*\([^)]*\)[^,]*|[^,]+")
 MOVED = re.compile(
     r"vmov[au]p[ds]|vmovdq[au]\d*|vbroadcasts[ds]|vpbroadcastq|vmovddup|vmovs[ds]|vmovq"
@@ -77,25 +77,40 @@ def errors_of_products(assembly, register):
         elif wide and FUSED.match(instruction[0]):
             others.append(instruction[0])
         made = (1, instruction.start())
-        if "{%k" not in text:
-            if MOVED.fullmatch(mnemonic) and len(values) == 2:
-                made = values[0]
-            elif re.fullmatch(r"vp?(?:xor|or|and)(?:p[sd]|[dq])?", mnemonic) and len(values) == 3:
-                constants = [k for k in (0, 1) if str(values[k][1]).startswith("constant")]
-                # the bit of the sign is what numbers are combined with, or all the others; a size
-                # is the same number however it came about
-                if len(constants) == 1:
-                    sign, number = values[1 - constants[0]]
-                    made = {
-                        "x": (-sign, number),
-                        "o": (-1, f"size of {number}"),
-                        "a": (1, f"size of {number}"),
-                    }[mnemonic.removeprefix("v").removeprefix("p")[0]]
-            elif re.match(r"vmul[ps]d", mnemonic):
-                (sign, number), (other_sign, other) = values[:2]
-                products[made[1]] = (sign * other_sign, {number, other})
+        if MOVED.fullmatch(mnemonic) and len(values) == 2:
+            made = values[0]
+        elif re.fullmatch(r"vp?(?:xor|or|and)(?:p[sd]|[dq])?", mnemonic) and len(values) == 3:
+            constants = [k for k in (0, 1) if str(values[k][1]).startswith("constant")]
+            # the bit of the sign is what numbers are combined with, or all the others; a size
+            # is the same number however it came about
+            if len(constants) == 1:
+                sign, number = values[1 - constants[0]]
+                made = {
+                    "x": (-sign, number),
+                    "o": (-1, f"size of {number}"),
+                    "a": (1, f"size of {number}"),
+                }[mnemonic.removeprefix("v").removeprefix("p")[0]]
+        elif mnemonic == "vblendvpd":
+            made = selected(values[0][1], values[1], values[2]) or made
+        if mask := re.search(r"{(%k\d)}", text):
+            condition = held.get(mask[1], (1, mask[1]))[1]
+            # kept where the condition fails: the second operand of a blend, else what was there
+            kept = values[1] if mnemonic.startswith("vblendm") else values[-1]
+            taken = values[0] if mnemonic.startswith("vblendm") else made
+            made = None if "{z}" in text else selected(condition, taken, kept)
+            made = made or (1, instruction.start())
+        elif re.match(r"vmul[ps]d", mnemonic):
+            (sign, number), (other_sign, other) = values[:2]
+            products[made[1]] = (sign * other_sign, {number, other})
         held[places[-1]] = made
     return count, others
+
+
+def selected(condition, taken, kept):
+    """Either of two values, where the sign is the same for both."""
+    if taken[0] == kept[0]:
+        return taken[0], f"({condition} ? {taken[1]} : {kept[1]})"
+    return None
 
 
 def place(operand, constant):
