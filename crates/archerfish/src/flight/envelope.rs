@@ -32,20 +32,20 @@ impl Touching {
         let x = select(x.abs() > 1e160, 1e160, x.abs());
         let product = two_product(epsilon, x);
         let rest = one.sub(product);
-        let e = rest.mul(one.add(product));
+        let e = rest.times(one.add(product));
         // numerator and denominator divided by the greater of 1 and x: squares of x overflow
         let long = x > 1.0;
         let unit = select(long, 1.0, x);
         let inverse = DoubleDouble::select(long, one.div(DoubleDouble::from(x)), one);
-        let numerator = e.mul(inverse);
+        let numerator = e.times(inverse);
         let square = DoubleDouble::select(long, one, two_product(x, x));
-        let root = square.add(numerator.mul(inverse)).sqrt();
-        let sin = numerator.div(product.mul_double(unit).add(root));
+        let root = square.add(numerator.times(inverse)).sqrt();
+        let sin = numerator.div(product.times_double(unit).add(root));
         let sum = two_sum(epsilon, sin.hi);
         let sum = DoubleDouble { hi: sum.hi, lo: sum.lo + sin.lo };
         let way = one.div(sum);
         // 1 − v = s/(s + ε)
-        let psi = fall(way.mul_double(epsilon), way.mul(sin));
+        let psi = fall(way.times_double(epsilon), way.times(sin));
         Touching { sin, way, psi, rest: before_end.round() }
     }
 

@@ -22,8 +22,8 @@ fn moderate(epsilon: f64) -> f64 {
     let p = exp_m1(lambertw0_offset(square.hi * INVERSE_E));
     let one = DoubleDouble::from(1.0);
     let rest = one.div(one.add_double(p));
-    let sine_square = rest.mul(fall(rest.mul_double(p), rest));
-    let residual = square.sub(two_product(p, p).mul(sine_square)).round();
+    let sine_square = rest.times(fall(rest.times_double(p), rest));
+    let residual = square.sub(two_product(p, p).times(sine_square)).round();
     let slowness = select(p < 1e-20, 1.0, ln_1p(p) / p);
     // where ε² is next to nothing so is the change
     let change = select(epsilon < 1e-8, 0.0, residual / (p * p * slowness));

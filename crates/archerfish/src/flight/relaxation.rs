@@ -8,7 +8,7 @@ use super::super::real::{Exponential, polynomial, power_of_two, select};
 
 // fall_tail: minimax on [0.0, 0.7001], degree 9,
 // weighted error 1.54e-18: reference/coefficients.py fall_tail
-pub(super) const FALL_TAIL: [f64; 10] = [
+const FALL_TAIL: [f64; 10] = [
     0.04166666666666656,
     -0.008333333333328374,
     0.001388888888800521,

@@ -153,20 +153,6 @@ impl DoubleDouble {
         DoubleDouble { hi: -self.hi, lo: -self.lo }
     }
 
-    /// `self * b`, to 2⁻¹⁰⁰ of itself.
-    #[inline(always)]
-    pub fn mul(self, b: Self) -> Self {
-        let product = self.times(b);
-        fast_two_sum(product.hi, product.lo)
-    }
-
-    /// `self * b` where `b` is one double, to 2⁻¹⁰⁰ of itself.
-    #[inline(always)]
-    pub fn mul_double(self, b: f64) -> Self {
-        let product = self.times_double(b);
-        fast_two_sum(product.hi, product.lo)
-    }
-
     /// `self * b`, to 2⁻¹⁰⁰ of itself; hi is at most a few units in the last place from the nearest
     /// double. For what goes into further products and sums.
     #[inline(always)]
