@@ -126,6 +126,8 @@ describe("pointer", () => {
       await page.mouse.click(box.x + 10, box.y + 80);
       expect(await number(page, "angle")).toBe(90);
       await page.check("#both-sides");
+      // A click counts where the picture shows it: wait until it shows both sides.
+      await state(page);
       await page.mouse.click(box.x + box.width * 0.3, box.y + 130);
       const angle = await number(page, "angle");
       expect(angle).toBeGreaterThan(100);
