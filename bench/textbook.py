@@ -62,11 +62,10 @@ def radius_by_flight(alpha: Array, eps: Array, solve_ivp: Callable[..., Any]) ->
     def motion(_: float, state: Array, drag: float) -> list[float]:
         return [state[2], state[3], -drag * state[2], -1 - drag * state[3]]
 
-    # solve_ivp passes the drag to events too, and reads the attribute off the function
-    def rising(_: float, state: Array, drag: float) -> float:  # noqa: ARG001
+    def rising(_: float, state: Array, drag: float) -> float:  # noqa: ARG001 - solve_ivp passes it
         return float(state[3])
 
-    rising.terminal = True  # type: ignore[attr-defined]
+    rising.terminal = True  # type: ignore[attr-defined]  # read by solve_ivp
     found = []
     for angle, drag in zip(alpha, eps, strict=True):
         start = [0.0, 0.0, np.cos(angle), np.sin(angle)]

@@ -185,6 +185,7 @@ class Launcher(Value):
         """
         from archerfish.shot import Shot, wind_vector
 
+        # a shot makes arrays of what it is given
         return Shot(self, angle, azimuth, height, ground, wind_vector(wind))  # type: ignore[arg-type]
 
     def aim(

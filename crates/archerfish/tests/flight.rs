@@ -1,23 +1,12 @@
 //! What must hold for every whole flight, whatever the digits.
 
+#[path = "common/shots.rs"]
+mod shots;
+
 use archerfish::{flight, motion};
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::f64::consts::{FRAC_PI_4, PI};
 use proptest::prelude::*;
-
-fn drag() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        1 => Just(0.0),
-        6 => (-7.0..7.0f64).prop_map(f64::exp2),
-        2 => (-1074.0..996.0f64).prop_map(f64::exp2),
-    ]
-}
-
-fn rising_angle() -> impl Strategy<Value = f64> {
-    prop_oneof![6 => 0.0..=FRAC_PI_2, 1 => (-1074.0..0.0f64).prop_map(f64::exp2)]
-}
-
-/// A few units in the last place, for relations between values that are each rounded.
-const ULPS: f64 = 8.0 * f64::EPSILON;
+use shots::{ULPS, drag, rising_angle};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]

@@ -1,23 +1,12 @@
 //! What must hold for every shot, whatever the digits: order, symmetry, bounds and round trips.
 
+#[path = "common/shots.rs"]
+mod shots;
+
 use archerfish::{lambert, motion, real};
 use core::f64::consts::{FRAC_PI_2, PI};
 use proptest::prelude::*;
-
-/// A few units in the last place, for relations between values that are each rounded.
-const ULPS: f64 = 8.0 * f64::EPSILON;
-
-fn drag() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        1 => Just(0.0),
-        6 => (-7.0..7.0f64).prop_map(f64::exp2),
-        2 => (-1074.0..996.0f64).prop_map(f64::exp2),
-    ]
-}
-
-fn rising_angle() -> impl Strategy<Value = f64> {
-    prop_oneof![6 => 0.0..=FRAC_PI_2, 1 => (-1074.0..0.0f64).prop_map(f64::exp2)]
-}
+use shots::{ULPS, drag, rising_angle};
 
 /// Whether two values agree to a few units in the last place.
 fn close(a: f64, b: f64, ulps: f64) -> bool {
