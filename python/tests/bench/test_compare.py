@@ -49,7 +49,8 @@ def test_the_start_is_as_quick_as_it_should_be():
 def test_a_call_on_one_element_costs_little_more_than_numpys():
     """Kernels far below the bar; those next to it are told of by `make bench`."""
     names = ("log1pmx", "lambertw0", "apex_y", "flight_range", "arctan2")
-    found = scaling.calls(rounds=20, names=names)
+    # half a second of turns: a slow spell of the machine must not cover all of one function's
+    found = scaling.calls(rounds=300, names=names)
     assert max(found.values()) <= 1.5, found
 
 
