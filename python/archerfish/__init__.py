@@ -8,6 +8,9 @@ The functions are NumPy ufuncs, in units of V₀²/g (length) and V₀/g (time),
 0.46692
 """
 
+import importlib
+from typing import TYPE_CHECKING
+
 from archerfish import _core, _ufunc_docs
 from archerfish._core import (
     aim_high,
@@ -38,8 +41,10 @@ from archerfish._core import (
     trajectory_height,
     tree,
 )
-from archerfish.launcher import Launcher
-from archerfish.locus import ApexLocus
+
+if TYPE_CHECKING:
+    from archerfish.launcher import Launcher
+    from archerfish.locus import ApexLocus
 
 __version__ = _core.__version__
 
@@ -77,3 +82,18 @@ __all__ = [
     "trajectory_height",
     "tree",
 ]
+
+
+#: Modules of the classes: who wants the functions only need not wait for those.
+_MODULES = {"ApexLocus": "archerfish.locus", "Launcher": "archerfish.launcher"}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = globals()[name] = getattr(importlib.import_module(_MODULES[name]), name)
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
