@@ -1,9 +1,10 @@
 """What the compiler made of the kernels: vectors at full width, no libm, nothing fused but exactly.
 
 Same bits everywhere rests on the instructions: a fused multiply-add rounds once where the source
-rounds twice, unless it yields the rounding error of a product, which is a double; and each system's
-libm rounds in its own way. Speed rests on them too: a kernel that
-the compiler leaves scalar is several times slower, and only the assembly tells.
+rounds twice, unless it yields the rounding error of a product, which is a double, or the rest of a
+quotient or a root, which the source forms exactly until its last rounding; and each system's libm
+rounds in its own way. Speed rests on them too: a kernel that the compiler leaves scalar is several
+times slower, and only the assembly tells.
 """
 
 import platform
@@ -48,8 +49,9 @@ FACTORS = {"132": (0, 2), "213": (1, 2), "231": (0, 1)}
 FORM = re.compile(r"vf(n?)m(add|sub)(132|213|231)[ps]d")
 
 
-def errors_of_products(assembly, register):
-    """How many fused instructions compute ±(a b − p), p being a b as rounded; and the others.
+def exact_transforms(assembly, register):
+    """How many fused instructions compute ±(a b − p), p being a b as rounded, or what is left of c
+    by ±(c − x y), x being a product, a quotient or the root of c; and the others.
 
     Of those in registers of one letter: for the last elements of an array, where the compiler
     shuffles numbers of one element into a vector, the comparison of bits has to do.
@@ -57,7 +59,7 @@ def errors_of_products(assembly, register):
     Every value gets a number when an instruction makes it, and keeps it through moves, memory and
     changes of sign, which are counted apart.
     """
-    held, products = {}, {}
+    held, products, sources = {}, {}, {}
     count, others = 0, []
     for instruction in INSTRUCTION.finditer(assembly):
         mnemonic, text, constant = instruction.groups()
@@ -70,7 +72,10 @@ def errors_of_products(assembly, register):
             sign = first[0] * second[0] * (-1 if form[1] else 1)
             rest_sign, factors = products.get(rest[1], (0, None))
             rest_sign *= rest[0] * (-1 if form[2] == "sub" else 1)
-            if factors == {first[1], second[1]} and sign == -rest_sign:
+            error = factors == {first[1], second[1]} and sign == -rest_sign
+            made_of = sources.get(first[1], set()) | sources.get(second[1], set())
+            opposite = sign * rest[0] * (-1 if form[2] == "sub" else 1) < 0
+            if error or (rest[1] in made_of and opposite):
                 count += 1
             else:
                 others.append(instruction[0])
@@ -102,6 +107,9 @@ def errors_of_products(assembly, register):
         elif re.match(r"vmul[ps]d", mnemonic):
             (sign, number), (other_sign, other) = values[:2]
             products[made[1]] = (sign * other_sign, {number, other})
+            sources[made[1]] = {number, other}
+        elif re.match(r"v(?:div|sqrt)[ps]d", mnemonic):
+            sources[made[1]] = {values[-2][1]}  # the numerator, or what the root is of
         held[places[-1]] = made
     return count, others
 
@@ -163,10 +171,10 @@ if platform.machine() in {"x86_64", "AMD64"}:
         assert count["p", register] > share * count.total()
 
     @pytest.mark.parametrize("name", UFUNCS)
-    def test_fused_arithmetic_gives_errors_of_products_alone(clones, name):
+    def test_fused_arithmetic_is_exact_but_for_a_last_rounding(clones, name):
         assert not FUSED.search(clones[name, "baseline"])
         for isa in ("avx2", "avx512"):
-            count, others = errors_of_products(clones[name, isa], WIDEST[isa][0])
+            count, others = exact_transforms(clones[name, isa], WIDEST[isa][0])
             assert others == []
             assert count > 0
 

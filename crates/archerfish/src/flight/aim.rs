@@ -9,7 +9,9 @@
 //! derivatives of H, lead on; the second has its residual in sums of two doubles and corrects for
 //! the fourth derivative. The angle is that of (X, Y + γβ).
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
+use super::super::real::double_double::{
+    DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
+};
 use super::super::real::{Exponential, angle, nearest_integer, polynomial, power_of_two};
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
 use super::aim_start::{Contact, Start, start};
@@ -76,8 +78,7 @@ impl Target {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
         let inverse = 1.0 / epsilon;
-        let product = two_product(epsilon, inverse);
-        let rest = ((1.0 - product.hi) - product.lo) * inverse;
+        let rest = rest_of_product(1.0, epsilon, inverse) * inverse;
         let strong = epsilon > 1.0;
         let mu = select(strong, epsilon, 1.0);
         let one_or_inverse =

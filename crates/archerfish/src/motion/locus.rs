@@ -11,7 +11,7 @@
 //! it, without a further series.
 
 use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, two_product, two_square, two_sum_positive,
+    DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
 };
 use super::super::real::{polynomial, select, sin_cos_upper, sqrt};
 use super::drag::Drag;
@@ -123,8 +123,7 @@ fn cos_of_tan(tau: f64) -> DoubleDouble {
     let root = sqrt(sum.hi);
     let inverse = 1.0 / root;
     let root_rest = sum.less_square(root) * (0.5 * inverse);
-    let one = two_product(root, inverse);
-    let rest = ((1.0 - one.hi) - one.lo) - inverse * root_rest;
+    let rest = rest_of_product(1.0, root, inverse) - inverse * root_rest;
     DoubleDouble { hi: inverse, lo: inverse * rest }
 }
 

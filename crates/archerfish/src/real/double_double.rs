@@ -33,6 +33,18 @@ fn product_error(a: f64, b: f64, p: f64) -> f64 {
     ((a_head * b_head - p) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail
 }
 
+/// `a − x y`, rounded once, where x y is nearly a: the rest of a quotient or of a root, for which
+/// nothing is lost where it is a double. Both ways subtract exactly until the last rounding.
+#[inline(always)]
+pub(crate) fn rest_of_product(a: f64, x: f64, y: f64) -> f64 {
+    #[cfg(feature = "std")]
+    if FUSED {
+        return (-x).mul_add(y, a);
+    }
+    let product = two_product(x, y);
+    (a - product.hi) - product.lo
+}
+
 /// `a + b` exactly, for any two numbers.
 #[inline(always)]
 pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
@@ -198,8 +210,7 @@ impl DoubleDouble {
     #[inline(always)]
     pub fn div_by(self, b: Self, inverse: f64) -> Self {
         let quotient = self.hi * inverse;
-        let product = two_product(quotient, b.hi);
-        let rest = ((self.hi - product.hi) - product.lo) + (self.lo - quotient * b.lo);
+        let rest = rest_of_product(self.hi, quotient, b.hi) + (self.lo - quotient * b.lo);
         DoubleDouble { hi: quotient, lo: rest * inverse }
     }
 
@@ -212,8 +223,7 @@ impl DoubleDouble {
     /// `self - a²`, which is nearly zero.
     #[inline(always)]
     pub fn less_square(self, a: f64) -> f64 {
-        let square = two_square(a);
-        ((self.hi - square.hi) - square.lo) + self.lo
+        rest_of_product(self.hi, a, a) + self.lo
     }
 
     /// `√self`, to 2⁻¹⁰⁰ of itself, as `times`; NaN at zero.
