@@ -117,14 +117,6 @@ def rough_atan(z):
     return 1 + z * atan_tail(z)
 
 
-def half_time_tail(z):
-    """((h coth h − 1)/h² − 1/3)/h² with z = h²."""
-    return taylor_near_zero(
-        lambda t: ((mp.sqrt(t) * mp.coth(mp.sqrt(t)) - 1) / t - mp.mpf(1) / 3) / t,
-        lambda k: mp.bernoulli(2 * k + 4) * mp.mpf(4) ** (k + 2) / mp.factorial(2 * k + 4),
-    )(z)
-
-
 def fall_tail(w):
     """((w − 1 + e^−w)/w² − 1/2 + w/6)/w²."""
     return taylor_near_zero(
@@ -153,7 +145,6 @@ FITS = {
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
-    "half_time_tail": Fit(half_time_tail, 0, mp.mpf("0.5626"), 7, lambda z: z ** mp.mpf("1.5")),
     "aim_exp": Fit(aim_exp, -HALF_LN2, HALF_LN2, 6, lambda r: r * r),
     "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 5, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
@@ -279,13 +270,26 @@ def rougher_gain():
 
 
 def half_time_start():
-    """h/u as a function of u, where h is half the time of flight times b: u = h + h coth h − 1."""
+    """h/u as a function of u, where h is half the time of flight times b: u = h + h coth h − 1.
+
+    With a relative error s, a step of third order leaves B s³, B depending on three derivatives.
+    """
     time = np.concatenate(
         [np.geomspace(1e-6, 1, 800), np.linspace(1, 60, 2500), np.geomspace(60, 1e6, 300)]
     )
-    h = time / 2
-    u = h + np.array([float(mp.mpf(x) * mp.coth(mp.mpf(x)) - 1) for x in h])
-    return Start(u, h / u, np.full_like(u, 2.0**-14), 3, 3, iterations=400)
+    half = [mp.mpf(x) / 2 for x in time]
+    u = np.array([float(h + h * mp.coth(h) - 1) for h in half])
+    bearable = [half_time_start_error(h) for h in half]
+    return Start(u, time / 2 / u, np.array(bearable), 3, 4, iterations=6000)
+
+
+def half_time_start_error(h):
+    """The relative error of h that a step of third order brings below 2⁻⁵⁷."""
+    coth, loss = mp.coth(h), mp.csch(h) ** 2
+    first, second = 1 + coth - h * loss, 2 * loss * (h * coth - 1)
+    third = 2 * loss * (3 * coth + h - 3 * h * coth**2)
+    curvature = (2 * (second / (2 * first)) ** 2 - third / (6 * first)) * h**2
+    return min(2.0**-9, float((mp.mpf(2) ** -57 / abs(curvature)) ** (mp.mpf(1) / 3)))
 
 
 def aim_way():

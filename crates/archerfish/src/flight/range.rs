@@ -1,7 +1,7 @@
 //! Range.
 
 use super::super::real::select;
-use super::domain::{is_drag, is_rising};
+use super::domain::{LARGE, SMALL, is_drag, is_rising};
 use super::time::LevelShot;
 
 /// Range over level ground, x(T), in V₀²/g; negative for α > π/2.
@@ -11,6 +11,10 @@ use super::time::LevelShot;
 pub fn flight_range(alpha: f64, eps: f64) -> f64 {
     // x(T) = T cos α / q, for 1 − e^{−εT} = εT/q at the landing
     let shot = LevelShot::at(alpha, eps);
-    let range = shot.sin.times(shot.eta).times(shot.cos).scale(2.0).quotient(shot.q) * shot.back;
+    // where sin α is tiny, products of T would have no error
+    let tiny = shot.sin.hi < SMALL;
+    let back = select(tiny, SMALL, 1.0);
+    let time = shot.time(select(tiny, LARGE, 1.0), back);
+    let range = time.times(shot.cos).quotient(shot.q) * back;
     select(is_rising(alpha) & is_drag(eps), range, f64::NAN)
 }

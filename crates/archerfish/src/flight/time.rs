@@ -2,20 +2,23 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{select, sin_cos_upper};
-use super::domain::{LARGE, SMALL, is_drag, is_rising};
+use super::domain::{is_drag, is_rising};
 use super::half_time::half_time;
+
+/// Below this, 2⁻⁶⁰, drag makes no difference: u = ε sin α.
+const FREE: f64 = f64::from_bits((1023 - 60) << 52);
 
 /// A shot over level ground.
 pub(super) struct LevelShot {
-    /// `sin α`, or 2²⁰⁰ times that where it is tiny
     pub sin: DoubleDouble,
-    /// what to multiply lengths and times with in the end
-    pub back: f64,
     pub cos: DoubleDouble,
     /// `1 + ε sin α`
     pub q: DoubleDouble,
-    /// `T/(2 sin α)`, from 1 without drag to 1/2
-    pub eta: DoubleDouble,
+    epsilon: f64,
+    /// `εT/2`
+    half_time: DoubleDouble,
+    /// whether drag makes no difference to T
+    free: bool,
 }
 
 impl LevelShot {
@@ -25,14 +28,14 @@ impl LevelShot {
         let (sin, cos) = sin_cos_upper(alpha);
         let u = sin.times_double(epsilon);
         let q = u.add_positive(1.0);
-        let tiny = sin.hi < SMALL;
-        LevelShot {
-            sin: sin.scale(select(tiny, LARGE, 1.0)),
-            back: select(tiny, SMALL, 1.0),
-            cos,
-            q,
-            eta: half_time(u, q),
-        }
+        LevelShot { sin, cos, q, epsilon, half_time: half_time(u, q), free: u.hi < FREE }
+    }
+
+    /// `T scale`, a power of two of which `back` is the inverse; hi alone is good to 2⁻¹⁴.
+    #[inline(always)]
+    pub fn time(&self, scale: f64, back: f64) -> DoubleDouble {
+        let half = self.half_time.div_double(self.epsilon * back);
+        DoubleDouble::select(self.free, self.sin.scale(scale), half).scale(2.0)
     }
 }
 
@@ -41,7 +44,6 @@ impl LevelShot {
 /// α in [0, π]. Limits: `2 sin α` as ε → 0; `sin α + 1/ε` as ε → ∞.
 #[inline(always)]
 pub fn flight_time(alpha: f64, eps: f64) -> f64 {
-    let shot = LevelShot::at(alpha, eps);
-    let time = shot.sin.times(shot.eta).scale(2.0).round() * shot.back;
+    let time = LevelShot::at(alpha, eps).time(1.0, 1.0).round();
     select(is_rising(alpha) & is_drag(eps), time, f64::NAN)
 }

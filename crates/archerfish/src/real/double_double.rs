@@ -220,6 +220,15 @@ impl DoubleDouble {
         self.div_by(b, 1.0 / b.hi)
     }
 
+    /// `self / b` where `b` is one double, as `div_by`.
+    #[inline(always)]
+    pub fn div_double(self, b: f64) -> Self {
+        let inverse = 1.0 / b;
+        let quotient = self.hi * inverse;
+        let rest = rest_of_product(self.hi, quotient, b) + self.lo;
+        DoubleDouble { hi: quotient, lo: rest * inverse }
+    }
+
     /// `self - a²`, which is nearly zero.
     #[inline(always)]
     pub fn less_square(self, a: f64) -> f64 {
