@@ -100,4 +100,35 @@ mod tests {
         let tables = tables.chain(BINARY.iter().map(|entry| entry.0));
         assert_eq!(names, tables.chain(TERNARY.iter().map(|entry| entry.0)).collect::<Vec<_>>());
     }
+
+    /// Each part gives bit for bit what stands in its place of `joint`.
+    fn are_parts_of<const N: usize>(
+        joint: fn(f64, f64) -> [f64; N],
+        parts: [fn(f64, f64) -> f64; N],
+    ) {
+        let mut arguments = Arguments(2);
+        for _ in 0..if cfg!(miri) { 5 } else { 100_000 } {
+            let (angle, eps) = (arguments.next(), arguments.next());
+            for (value, part) in joint(angle, eps).into_iter().zip(parts) {
+                let alone = part(angle, eps);
+                assert!(
+                    value.to_bits() == alone.to_bits() || (value.is_nan() && alone.is_nan()),
+                    "({angle:e}, {eps:e}): {value:e}, alone {alone:e}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn functions_computed_together_are_those_alone() {
+        use crate::motion::*;
+        are_parts_of(
+            |alpha, eps| apex(alpha, eps).into(),
+            [apex_x, apex_y, apex_elevation, apex_curvature],
+        );
+        are_parts_of(
+            |theta, eps| locus_launch_angle_derivatives(theta, eps).into(),
+            [locus_launch_angle_d1, locus_launch_angle_d2],
+        );
+    }
 }

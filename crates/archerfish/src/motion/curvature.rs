@@ -6,6 +6,7 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{select, sqrt};
+use super::apex::apex;
 use super::launch::{Launch, within_domain};
 use super::locus::Elevated;
 
@@ -42,7 +43,7 @@ impl Launch {
 /// 1 at α = 0; 1 + ε at α = π/2; at most 8 without drag, at 45°.
 #[inline(always)]
 pub fn apex_curvature(alpha: f64, eps: f64) -> f64 {
-    within_domain(alpha, eps, Launch::at(alpha, eps).curvature())
+    apex(alpha, eps).3
 }
 
 /// Curvature of the locus by elevation, times V₀²/g.  [Eq. 19]

@@ -19,6 +19,13 @@ impl Launch {
         Launch { sin, cos, u: sin.times_double(epsilon) }
     }
 
+    /// sin α, 2²⁰⁰ times as large: for lengths, which are proportional to it or to its square, and
+    /// would be subnormal on the way.
+    #[inline(always)]
+    pub fn lifted(&self) -> DoubleDouble {
+        self.sin.scale(LIFT)
+    }
+
     /// At the angle α in [0, π].
     #[inline(always)]
     pub fn at(alpha: f64, epsilon: f64) -> Self {
@@ -68,9 +75,11 @@ pub(crate) const TINY: f64 = f64::from_bits((1023 - 500) << 52);
 pub(crate) const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 /// 1/LARGE
 pub(crate) const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+/// 2²⁰⁰
+pub(crate) const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// An angle so small that lengths, being proportional to it or to its square, would be subnormal
-/// on the way; a problem alike to it, `factor` times as large, has none of that.
+/// An elevation so small that what is proportional to it would be subnormal on the way; a problem
+/// alike to it, 2⁴⁰⁰ times as large, has none of that.
 pub(crate) struct Scaled {
     pub angle: f64,
     pub epsilon: f64,
@@ -85,11 +94,5 @@ impl Scaled {
         let tiny = angle < TINY;
         let back = select(tiny, SMALL, 1.0);
         Scaled { angle: angle * select(tiny, LARGE, 1.0), epsilon: epsilon * back, back }
-    }
-
-    /// The launch at the scaled angle.
-    #[inline(always)]
-    pub fn launch(&self) -> Launch {
-        Launch::at(self.angle, self.epsilon)
     }
 }

@@ -13,7 +13,9 @@ mod drag;
 mod launch;
 mod locus;
 
-pub use apex::{apex_distance, apex_elevation, apex_time, apex_x, apex_y};
+pub use apex::{apex, apex_distance, apex_elevation, apex_time, apex_x, apex_y};
 pub use curvature::{apex_curvature, locus_curvature};
-pub use derivatives::{locus_launch_angle_d1, locus_launch_angle_d2};
+pub use derivatives::{
+    locus_launch_angle_d1, locus_launch_angle_d2, locus_launch_angle_derivatives,
+};
 pub use locus::{locus_launch_angle, locus_radius};
