@@ -43,8 +43,19 @@ export interface Column {
   readonly values: Float64Array;
 }
 
-/** Each fills its last column, as long as that is. */
+/** Functions of the same two numbers, computed together: what they share is most of the work. */
+export interface JointFunctions {
+  /** Fills four columns, with `apex_x`, `apex_y`, `apex_elevation` and `apex_curvature`. */
+  apex(
+    alpha: Column, eps: Column, x: Column, y: Column, elevation: Column, curvature: Column,
+  ): void;
+  /** Fills two columns, with `locus_launch_angle_d1` and `locus_launch_angle_d2`. */
+  locus_launch_angle_derivatives(theta: Column, eps: Column, d1: Column, d2: Column): void;
+}
+
+/** Each fills its last column, or columns, as long as the first of them is. */
 export type Functions = Readonly<
+  JointFunctions &
   Record<UnaryName, (x: Column, out: Column) => void> &
     Record<BinaryName, (x: Column, eps: Column, out: Column) => void> &
     Record<TernaryName, (x: Column, second: Column, eps: Column, out: Column) => void>

@@ -57,20 +57,23 @@ function nameOf(core, number) {
 
 function functionOf(core, number) {
   const inputs = core.inputs(number);
+  const count = inputs + core.outputs(number);
   return (...columns) => {
-    if (columns.length !== inputs + 1) {
-      throw new TypeError(`${nameOf(core, number)} takes ${inputs + 1} columns, got ${columns.length}`);
+    if (columns.length !== count) {
+      throw new TypeError(`${nameOf(core, number)} takes ${count} columns, got ${columns.length}`);
     }
-    const out = columns[inputs];
-    for (const x of columns.slice(0, inputs)) {
-      if (x === out) {
-        throw new RangeError("the column of results must be none of the arguments");
+    const { length } = columns[inputs];
+    for (let k = 0; k < count; k++) {
+      if (k >= inputs && columns.indexOf(columns[k]) < k) {
+        throw new RangeError("a column of results must be none of the others");
       }
-      if (x.length < out.length) {
-        throw new RangeError(`an argument must have at least ${out.length} numbers, got ${x.length}`);
+      if (columns[k].length < length) {
+        throw new RangeError(`each column must have at least ${length} numbers, got ${columns[k].length}`);
       }
     }
-    const x = (k) => columns[Math.min(k, inputs - 1)].address;
-    core.evaluate(number, x(0), x(1), x(2), out.address, out.length);
+    const address = (k, last) => columns[Math.min(k, last)].address;
+    const x = (k) => address(k, inputs - 1);
+    const out = (k) => address(inputs + k, count - 1);
+    core.evaluate(number, length, x(0), x(1), x(2), out(0), out(1), out(2), out(3));
   };
 }

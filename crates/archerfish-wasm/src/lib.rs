@@ -8,14 +8,19 @@
 use std::arch::wasm32;
 use std::{ptr, slice};
 
-use archerfish::batch::{BINARY, BinaryBatch, TERNARY, TernaryBatch, UNARY, UnaryBatch};
+use archerfish::batch::{
+    BINARY, BINARY_FOUR, BINARY_PAIR, BinaryBatch, BinaryFourBatch, BinaryPairBatch, TERNARY,
+    TernaryBatch, UNARY, UnaryBatch,
+};
 
-/// A function of the tables, whatever the number of its arguments.
+/// A function of the tables, whatever the number of its arguments and results.
 #[derive(Clone, Copy)]
 enum Kernel {
     Unary(UnaryBatch),
     Binary(BinaryBatch),
     Ternary(TernaryBatch),
+    BinaryPair(BinaryPairBatch),
+    BinaryFour(BinaryFourBatch),
 }
 
 /// Name and function of a number from 0 on: the tables, one after the other.
@@ -23,7 +28,9 @@ fn find(number: usize) -> Option<(&'static str, Kernel)> {
     let unary = UNARY.iter().map(|&(name, function)| (name, Kernel::Unary(function)));
     let binary = BINARY.iter().map(|&(name, function)| (name, Kernel::Binary(function)));
     let ternary = TERNARY.iter().map(|&(name, function)| (name, Kernel::Ternary(function)));
-    unary.chain(binary).chain(ternary).nth(number)
+    let pair = BINARY_PAIR.iter().map(|&(name, function)| (name, Kernel::BinaryPair(function)));
+    let four = BINARY_FOUR.iter().map(|&(name, function)| (name, Kernel::BinaryFour(function)));
+    unary.chain(binary).chain(ternary).chain(pair).chain(four).nth(number)
 }
 
 /// Address of the name (ASCII) of a function; 0 past the last.
@@ -43,8 +50,19 @@ pub extern "C" fn name_length(number: usize) -> usize {
 pub extern "C" fn inputs(number: usize) -> usize {
     match find(number) {
         Some((_, Kernel::Unary(_))) => 1,
-        Some((_, Kernel::Binary(_))) => 2,
+        Some((_, Kernel::Binary(_) | Kernel::BinaryPair(_) | Kernel::BinaryFour(_))) => 2,
         Some((_, Kernel::Ternary(_))) => 3,
+        None => 0,
+    }
+}
+
+/// How many results it has; 0 past the last function.
+#[unsafe(no_mangle)]
+pub extern "C" fn outputs(number: usize) -> usize {
+    match find(number) {
+        Some((_, Kernel::BinaryPair(_))) => 2,
+        Some((_, Kernel::BinaryFour(_))) => 4,
+        Some(_) => 1,
         None => 0,
     }
 }
@@ -62,29 +80,39 @@ pub extern "C" fn allocate(count: usize) -> *mut f64 {
     }
 }
 
-/// Fills `out` with the values of a function at the arguments; those beyond its number are not
-/// looked at.
+/// Fills the columns of results with the values of a function at the arguments; those beyond its
+/// numbers of both are not looked at.
 ///
 /// # Safety
-/// Each address is one of [`allocate`]'s, with room for `count` doubles, and `out` is none of the
-/// others.
+/// Each address is one of [`allocate`]'s, with room for `count` doubles, and each of the results is
+/// none of the others.
 #[unsafe(no_mangle)]
+#[allow(clippy::too_many_arguments)]
 pub unsafe extern "C" fn evaluate(
     number: usize,
+    count: usize,
     x0: *const f64,
     x1: *const f64,
     x2: *const f64,
-    out: *mut f64,
-    count: usize,
+    out0: *mut f64,
+    out1: *mut f64,
+    out2: *mut f64,
+    out3: *mut f64,
 ) {
     // SAFETY: the caller's promise.
     let of = |x| unsafe { slice::from_raw_parts(x, count) };
     // SAFETY: the caller's promise.
-    let out = unsafe { slice::from_raw_parts_mut(out, count) };
+    let to = |out| unsafe { slice::from_raw_parts_mut(out, count) };
     match find(number) {
-        Some((_, Kernel::Unary(function))) => function(of(x0), out),
-        Some((_, Kernel::Binary(function))) => function(of(x0), of(x1), out),
-        Some((_, Kernel::Ternary(function))) => function(of(x0), of(x1), of(x2), out),
+        Some((_, Kernel::Unary(function))) => function(of(x0), to(out0)),
+        Some((_, Kernel::Binary(function))) => function(of(x0), of(x1), to(out0)),
+        Some((_, Kernel::Ternary(function))) => function(of(x0), of(x1), of(x2), to(out0)),
+        Some((_, Kernel::BinaryPair(function))) => {
+            function(of(x0), of(x1), to(out0), to(out1));
+        }
+        Some((_, Kernel::BinaryFour(function))) => {
+            function(of(x0), of(x1), to(out0), to(out1), to(out2), to(out3));
+        }
         None => {}
     }
 }

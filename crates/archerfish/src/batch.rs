@@ -2,8 +2,12 @@
 //!
 //! Every function takes its arguments as slices at least as long as `out` and fills `out`.
 
+#[cfg(not(target_arch = "wasm32"))]
 use crate::dispatch::batch;
+#[cfg(not(target_arch = "wasm32"))]
 pub use crate::dispatch::isa_name;
+#[cfg(target_arch = "wasm32")]
+use crate::pairs::batch;
 
 /// A function of one number over slices.
 pub type UnaryBatch = fn(&[f64], &mut [f64]);
@@ -11,20 +15,26 @@ pub type UnaryBatch = fn(&[f64], &mut [f64]);
 pub type BinaryBatch = fn(&[f64], &[f64], &mut [f64]);
 /// A function of three numbers over slices.
 pub type TernaryBatch = fn(&[f64], &[f64], &[f64], &mut [f64]);
+/// Two functions of the same two numbers over slices.
+#[cfg(target_arch = "wasm32")]
+pub type BinaryPairBatch = fn(&[f64], &[f64], &mut [f64], &mut [f64]);
+/// Four functions of the same two numbers over slices.
+#[cfg(target_arch = "wasm32")]
+pub type BinaryFourBatch = fn(&[f64], &[f64], &mut [f64], &mut [f64], &mut [f64], &mut [f64]);
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
-    ($table:ident: $type:ty; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
+    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
         $(batch! {
             #[doc = concat!("[`", stringify!($module), "::", stringify!($kernel), "`](crate::", stringify!($module), "::", stringify!($kernel), ") over slices.")]
-            $name, $module::$kernel, $($x),+
+            $name, $module::$kernel, $($x),+ => $out
         })+
         /// Every function of this shape, by its public name.
         pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];
     };
 }
 
-table! { UNARY: UnaryBatch;
+table! { UNARY: UnaryBatch => (out);
     lambertw0(z) = lambert::lambertw0;
     lambertwm1(z) = lambert::lambertwm1;
     lambertw0_offset(d) = lambert::lambertw0_offset;
@@ -34,7 +44,7 @@ table! { UNARY: UnaryBatch;
     optimal_angle(eps) = flight::optimal_angle;
 }
 
-table! { BINARY: BinaryBatch;
+table! { BINARY: BinaryBatch => (out);
     apex_x(alpha, eps) = motion::apex_x;
     apex_y(alpha, eps) = motion::apex_y;
     apex_time(alpha, eps) = motion::apex_time;
@@ -51,10 +61,22 @@ table! { BINARY: BinaryBatch;
     envelope_height(x, eps) = flight::envelope_height;
 }
 
-table! { TERNARY: TernaryBatch;
+table! { TERNARY: TernaryBatch => (out);
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
     aim_low(x, y, eps) = flight::aim_low;
     aim_high(x, y, eps) = flight::aim_high;
+}
+
+// A page draws them side by side, and what they share is most of the work.
+
+#[cfg(target_arch = "wasm32")]
+table! { BINARY_PAIR: BinaryPairBatch => (d1, d2);
+    locus_launch_angle_derivatives(theta, eps) = motion::locus_launch_angle_derivatives;
+}
+
+#[cfg(target_arch = "wasm32")]
+table! { BINARY_FOUR: BinaryFourBatch => (x, y, elevation, curvature);
+    apex(alpha, eps) = motion::apex;
 }

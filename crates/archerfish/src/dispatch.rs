@@ -1,4 +1,6 @@
 //! Which instruction set: one inlined body, compiled once for each, chosen once at start.
+//!
+//! In a browser there is one alone: pairs.rs.
 
 #[cfg(target_arch = "x86_64")]
 use std::sync::OnceLock;
@@ -54,33 +56,6 @@ pub fn isa_name() -> &'static str {
     }
 }
 
-/// Elements computed at once in a browser.
-#[cfg(target_arch = "wasm32")]
-pub(crate) const BLOCK: usize = 8;
-
-/// Goes through the slices in blocks, the last one padded, and leaves each to `compute`.
-///
-/// A loop of unknown length would be compiled twice, for pairs of elements and for a last one, and
-/// a page has to fetch that.
-#[cfg(target_arch = "wasm32")]
-#[inline(never)]
-pub(crate) fn in_blocks<const INPUTS: usize>(
-    inputs: [&[f64]; INPUTS],
-    out: &mut [f64],
-    compute: fn(&[[f64; BLOCK]; INPUTS], &mut [f64; BLOCK]),
-) {
-    let mut x = [[0.0; BLOCK]; INPUTS];
-    let mut values = [0.0; BLOCK];
-    for first in (0..out.len()).step_by(BLOCK) {
-        let n = BLOCK.min(out.len() - first);
-        for (block, input) in x.iter_mut().zip(inputs) {
-            block[..n].copy_from_slice(&input[first..first + n]);
-        }
-        compute(&x, &mut values);
-        out[first..first + n].copy_from_slice(&values[..n]);
-    }
-}
-
 /// Defines a function that fills one slice with the values of a kernel at others.
 macro_rules! each {
     ($name:ident, $kernel:path, $($x:ident),+) => {
@@ -98,22 +73,12 @@ pub(crate) use each;
 
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out)) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
-            #[cfg(not(target_arch = "wasm32"))]
             $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
             #[cfg(target_arch = "x86_64")]
             $crate::dispatch::each!(fused, $crate::fused::$module::$kernel, $($x),+);
-            #[cfg(target_arch = "wasm32")]
-            fn body($($x: &[f64],)+ out: &mut [f64]) {
-                use $crate::dispatch::{BLOCK, in_blocks};
-                in_blocks([$($x),+], out, |[$($x),+]: &[[f64; BLOCK]; _], out| {
-                    for i in 0..BLOCK {
-                        out[i] = $crate::$module::$kernel($($x[i]),+);
-                    }
-                });
-            }
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx2,fma")]
             fn avx2($($x: &[f64],)+ out: &mut [f64]) {

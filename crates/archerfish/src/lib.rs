@@ -8,10 +8,12 @@ pub mod real;
 
 #[cfg(feature = "std")]
 pub mod batch;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", not(target_arch = "wasm32")))]
 mod dispatch;
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 mod fused;
+#[cfg(all(feature = "std", target_arch = "wasm32"))]
+mod pairs;
 
 /// Whether errors of products come from a fused instruction; `fused` is these modules with it.
 const FUSED: bool = false;

@@ -52,12 +52,8 @@ export class LocusCurves {
     const { x, y, elevation, curvature, launchAngleD1, launchAngleD2 } = this.#columns;
     const angle = this.grid.radians;
     this.#epsilon.values.fill(epsilon);
-    functions.apex_x(angle, this.#epsilon, x);
-    functions.apex_y(angle, this.#epsilon, y);
-    functions.apex_elevation(angle, this.#epsilon, elevation);
-    functions.apex_curvature(angle, this.#epsilon, curvature);
-    functions.locus_launch_angle_d1(angle, this.#epsilon, launchAngleD1);
-    functions.locus_launch_angle_d2(angle, this.#epsilon, launchAngleD2);
+    functions.apex(angle, this.#epsilon, x, y, elevation, curvature);
+    functions.locus_launch_angle_derivatives(angle, this.#epsilon, launchAngleD1, launchAngleD2);
     return this;
   }
 
