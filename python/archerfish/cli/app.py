@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import importlib
 import io
 import os
 import signal
@@ -13,22 +14,31 @@ import click
 import numpy as np
 
 from archerfish import __version__
-from archerfish.cli.aim import aim
-from archerfish.cli.angles import angles
-from archerfish.cli.envelope import envelope
 from archerfish.cli.errors import RefusedValue
-from archerfish.cli.explore import explore
-from archerfish.cli.figure import figure
-from archerfish.cli.locus import locus
-from archerfish.cli.series import series
-from archerfish.cli.shot import shot
 
 BAD_INPUT = 2
 FAILURE = 1
 INTERRUPTED = 130
 
 
+class Commands(click.Group):
+    """Each command stands in the module of its name, which is imported when it is asked for."""
+
+    NAMES = ("aim", "angles", "envelope", "explore", "figure", "locus", "series", "shot")
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - click's
+        """The names, in the order of the help page."""
+        return list(self.NAMES)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """The command of that name. For another name click looks for one like it among them all."""
+        for name in [cmd_name] if cmd_name in self.NAMES else self.NAMES:
+            self.add_command(getattr(importlib.import_module(f"archerfish.cli.{name}"), name))
+        return super().get_command(ctx, cmd_name)
+
+
 @click.group(
+    cls=Commands,
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog="""\b
@@ -53,16 +63,6 @@ def archerfish(context: click.Context) -> None:
     """
     if context.invoked_subcommand is None:
         click.echo(context.get_help())
-
-
-archerfish.add_command(locus)
-archerfish.add_command(shot)
-archerfish.add_command(aim)
-archerfish.add_command(angles)
-archerfish.add_command(envelope)
-archerfish.add_command(figure)
-archerfish.add_command(series)
-archerfish.add_command(explore)
 
 
 def main() -> None:
