@@ -6,8 +6,8 @@ import { radians } from "./numbers.ts";
 /** Launch angles of the fan, degrees: those of Figure 1. */
 export const FAN_ANGLES: readonly number[] = Array.from({ length: 18 }, (_, index) => 5 * (index + 1));
 
-/** Instants that all shots share: a point a pixel of the longest shot on a page. */
-const INSTANTS = 1000;
+/** Instants that all shots share. */
+const INSTANTS = 2000;
 
 /** One shot among the instants it shares with all. */
 export interface Flight {
