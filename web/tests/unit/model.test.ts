@@ -69,7 +69,7 @@ describe("flights", () => {
       expect(range / x[x.length - 1]).toBeGreaterThan(1 - 1e-15);
     });
     // The steepest is in the air at each instant but the last.
-    expect(fan.flights.at(-1)?.count).toBe(999);
+    expect(fan.flights.at(-1)?.count).toBe(1999);
   });
 
   it.each([0, 0.1, 10, 1e4])("are where the kernels have them, ε = %f", (epsilon) => {
