@@ -2,9 +2,9 @@
 
 Same bits everywhere rests on the instructions: a fused multiply-add rounds once where the source
 rounds twice, unless it yields the rounding error of a product, which is a double, or the rest of a
-quotient or a root, which the source forms exactly until its last rounding; and each system's libm
-rounds in its own way. Speed rests on them too: a kernel that the compiler leaves scalar is several
-times slower, and only the assembly tells.
+quotient, which the source forms exactly until its last rounding; and each system's libm rounds in
+its own way. Speed rests on them too: a kernel that the compiler leaves scalar is several times
+slower, and only the assembly tells.
 """
 
 import platform
@@ -51,7 +51,7 @@ FORM = re.compile(r"vf(n?)m(add|sub)(132|213|231)[ps]d")
 
 def exact_transforms(assembly, register):
     """How many fused instructions compute ±(a b − p), p being a b as rounded, or what is left of c
-    by ±(c − x y), x being a product, a quotient or the root of c; and the others.
+    by ±(c − x y), x being a product or a quotient of c; and the others.
 
     Of those in registers of one letter: for the last elements of an array, where the compiler
     shuffles numbers of one element into a vector, the comparison of bits has to do.
@@ -108,8 +108,8 @@ def exact_transforms(assembly, register):
             (sign, number), (other_sign, other) = values[:2]
             products[made[1]] = (sign * other_sign, {number, other})
             sources[made[1]] = {number, other}
-        elif re.match(r"v(?:div|sqrt)[ps]d", mnemonic):
-            sources[made[1]] = {values[-2][1]}  # the numerator, or what the root is of
+        elif re.match(r"vdiv[ps]d", mnemonic):
+            sources[made[1]] = {values[1][1]}  # the numerator
         held[places[-1]] = made
     return count, others
 
