@@ -16,13 +16,13 @@
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::select;
 use super::drag::Logarithm;
-use super::launch::{LARGE, LIFT, SMALL, TINY, within_domain};
+use super::launch::{LARGE, LIFT, SMALL, within_domain};
 use super::locus::Elevated;
 
-/// 2⁻⁷⁰⁰, 2⁻⁹⁰⁰ and 2¹⁶⁰
-const FLAT: f64 = f64::from_bits((1023 - 700) << 52);
+/// 2⁻⁹⁰⁰, 2⁻⁸⁰⁰ and 2⁻³³⁰
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
-const STRONG: f64 = f64::from_bits((1023 + 160) << 52);
+const TINIEST: f64 = f64::from_bits((1023 - 800) << 52);
+const WEAK: f64 = f64::from_bits((1023 - 330) << 52);
 const MINUS_ONE: DoubleDouble = DoubleDouble { hi: -1.0, lo: 0.0 };
 
 impl Elevated {
@@ -71,17 +71,14 @@ impl Elevated {
 #[inline(always)]
 pub fn locus_launch_angle_derivatives(theta: f64, eps: f64) -> (f64, f64) {
     // 2 and −12θ − 8ε/3 where both are tiny: this is proportional to both, which a subnormal would
-    // spoil
-    let tiny = (theta < TINY) & (eps < TINY);
-    // and f(εθ), ε f(εθ) where θ is nothing beside ε, or 2, −8ε/3 where εθ is nothing beside 1
-    let flat = (theta < FLAT) & !tiny;
-    let strong = flat & (eps > STRONG);
-    let angle = theta * select(tiny | strong, LARGE, 1.0);
-    let angle = select(flat & !strong, FLAT, angle);
+    // spoil; and f(εθ), ε f(εθ) where θ is nothing beside ε
+    let (tiny, weak) = (theta < TINIEST, eps < WEAK);
+    let scale = |weaker: f64, stronger: f64| select(tiny, select(weak, weaker, stronger), 1.0);
     // 0/0 at θ = 0, which is like anything much smaller than ε
+    let angle = theta * scale(LARGE, LIFT);
     let angle = select(angle < LEAST, LEAST, angle);
-    let epsilon = eps * select(tiny, LARGE, select(strong, SMALL, 1.0));
-    let back = select(tiny, SMALL, select(strong, LARGE, 1.0));
+    let epsilon = eps * scale(LARGE, 1.0 / LIFT);
+    let back = scale(SMALL, LIFT);
     let (first, second) = Elevated::new(angle, epsilon).launch_angle_derivatives();
     (within_domain(theta, eps, first), within_domain(theta, eps, second * back))
 }
