@@ -125,7 +125,7 @@ def output(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
-def starts(rounds: int = 9) -> dict[str, float]:
+def starts(rounds: int = 20) -> dict[str, float]:
     """Processor time of whole processes in units of `import numpy`'s, best of turns."""
     python = sys.executable
     program = str(Path(python).with_name("archerfish"))

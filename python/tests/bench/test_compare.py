@@ -41,7 +41,7 @@ def test_bars_that_are_missed_are_told():
 
 def test_the_start_is_as_quick_as_it_should_be():
     """Processor time, the least of turns: what the machine does besides hardly shows."""
-    found = scaling.starts(rounds=20)
+    found = scaling.starts()
     for name, bar in compare.STARTS:
         assert found[name] <= bar, (name, found)
 
