@@ -37,6 +37,8 @@ REACHABLE, UNREACHABLE, UNDEFINED = 0, 1, 2
 
 #: Cosine of a launch angle below which the time of a rise is found from height, not distance.
 _STEEP = 1e-3
+#: What gravity counts as, of itself, where wind cancels it: no digit of the low arc depends on it.
+_LEAST_PULL = 1e-30
 #: Newton steps that make a good time of arrival exact.
 _STEPS = 3
 
@@ -295,7 +297,10 @@ def _plane(
 
     upward = vector(-drag * wind.x, gravity - drag * wind.y, -drag * wind.z)
     strength = _length(upward)
-    up = upward / strength
+    # Wind that carries the whole weight leaves a straight way; a least pull tells which is upward.
+    weightless = strength == 0
+    strength = np.where(weightless, _LEAST_PULL * gravity, strength)
+    up = np.where(weightless, vector(0.0, 1.0, 0.0), upward / strength)
     place = vector(target.x, np.subtract(target.y, height), target.z)
     rise = np.sum(place * up, axis=0)
     across = place - rise * up

@@ -61,6 +61,17 @@ def test_in_any_wind_in_space():
     assert np.all((least <= launcher.speed) == hit)
 
 
+def test_wind_that_carries_the_whole_weight_leaves_a_straight_way():
+    launcher = Launcher(20.0, gravity=10.0, drag_rate=1.0)
+    low = launcher.aim(3.0, 4.0, wind=(0.0, 10.0)).low
+    assert low.angle == pytest.approx(np.arctan2(4.0, 3.0), rel=1e-15)
+    assert low.time == pytest.approx(-np.log1p(-5 / 20), rel=1e-15)  # 20 (1 − e⁻ᵗ) is 5
+    assert miss(low, 3.0, 4.0) < 1e-15
+    beyond = launcher.aim(30.0, 40.0, wind=(0.0, 10.0))
+    assert isinstance(beyond, Unreachable)
+    assert beyond.minimum_speed == pytest.approx(50.0, rel=1e-15)
+
+
 @pytest.mark.parametrize("drag_rate", [0.4, 1e-9])  # so weak a drag tilts gravity by 1e-9
 def test_in_the_plane_the_wind_leaves_the_shot_there(drag_rate):
     launcher = Launcher(25.0, drag_rate=drag_rate)
