@@ -96,15 +96,20 @@ def test_a_port_in_use_is_one_line():
 
 
 def test_interrupting_ends_it_quietly(page):
+    # A shell in the background starts its children deaf to interrupts, this test's runner maybe.
     program = (
-        "import sys; from pathlib import Path; from archerfish.cli import explore as module; "
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+        "from pathlib import Path; from archerfish.cli import explore as module; "
         f"module.PAGE = Path({str(page)!r}); module.explore(['--no-browser'])"
     )
-    process = subprocess.Popen(
+    with subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    line = process.stdout.readline()
-    assert line.startswith("The explorer is at http://127.0.0.1:")
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=20)
+    ) as process:
+        try:
+            line = process.stdout.readline()
+            assert line.startswith("The explorer is at http://127.0.0.1:")
+            process.send_signal(signal.SIGINT)
+            _, errors = process.communicate(timeout=20)
+        finally:
+            process.kill()
     assert (process.returncode, errors) == (0, "")
