@@ -87,6 +87,7 @@ pub extern "C" fn allocate(count: usize) -> *mut f64 {
 /// Each address is one of [`allocate`]'s, with room for `count` doubles, and each of the results is
 /// none of the others.
 #[unsafe(no_mangle)]
+// Addresses as numbers are all that JavaScript can hand over; an array of them would be a copy.
 #[allow(clippy::too_many_arguments)]
 pub unsafe extern "C" fn evaluate(
     number: usize,

@@ -1,7 +1,7 @@
 //! Range.
 
 use super::super::real::select;
-use super::domain::{LARGE, SMALL, is_drag, is_rising};
+use super::domain::{SMALL, is_drag, is_rising};
 use super::time::LevelShot;
 
 /// Range over level ground, x(T), in V₀²/g; negative for α > π/2.
@@ -13,8 +13,7 @@ pub fn flight_range(alpha: f64, eps: f64) -> f64 {
     let shot = LevelShot::at(alpha, eps);
     // where sin α is tiny, products of T would have no error
     let tiny = shot.sin.hi < SMALL;
-    let back = select(tiny, SMALL, 1.0);
-    let time = shot.time(select(tiny, LARGE, 1.0), back);
-    let range = time.times(shot.cos).quotient(shot.q) * back;
+    let lifted = shot.time(tiny).times(shot.cos).quotient(shot.q);
+    let range = lifted * select(tiny, SMALL, 1.0);
     select(is_rising(alpha) & is_drag(eps), range, f64::NAN)
 }

@@ -2,7 +2,7 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{select, sin_cos_upper};
-use super::domain::{is_drag, is_rising};
+use super::domain::{LARGE, SMALL, is_drag, is_rising};
 use super::half_time::half_time;
 
 /// Below this, 2⁻⁶⁰, drag makes no difference: u = ε sin α.
@@ -31,11 +31,12 @@ impl LevelShot {
         LevelShot { sin, cos, q, epsilon, half_time: half_time(u, q), free: u.hi < FREE }
     }
 
-    /// `T scale`, a power of two of which `back` is the inverse; hi alone is good to 2⁻¹⁴.
+    /// T, or 2²⁰⁰ T where `lifted`; hi alone is good to 2⁻¹⁴.
     #[inline(always)]
-    pub fn time(&self, scale: f64, back: f64) -> DoubleDouble {
-        let half = self.half_time.div_double(self.epsilon * back);
-        DoubleDouble::select(self.free, self.sin.scale(scale), half).scale(2.0)
+    pub fn time(&self, lifted: bool) -> DoubleDouble {
+        let half = self.half_time.div_double(self.epsilon * select(lifted, SMALL, 1.0));
+        let free = self.sin.scale(select(lifted, LARGE, 1.0));
+        DoubleDouble::select(self.free, free, half).scale(2.0)
     }
 }
 
@@ -44,6 +45,6 @@ impl LevelShot {
 /// α in [0, π]. Limits: `2 sin α` as ε → 0; `sin α + 1/ε` as ε → ∞.
 #[inline(always)]
 pub fn flight_time(alpha: f64, eps: f64) -> f64 {
-    let time = LevelShot::at(alpha, eps).time(1.0, 1.0).round();
+    let time = LevelShot::at(alpha, eps).time(false).round();
     select(is_rising(alpha) & is_drag(eps), time, f64::NAN)
 }

@@ -7,14 +7,13 @@
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{select, sqrt};
 use super::apex::apex;
-use super::launch::{Launch, within_domain};
+use super::launch::{LIFT, Launch, within_domain};
 use super::locus::Elevated;
 
 const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
-/// 2⁻⁷⁰⁰ and 2²⁰⁰
+/// 2⁻⁷⁰⁰
 const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
-const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 
 impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵

@@ -15,7 +15,7 @@
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::select;
-use super::drag::Logarithm;
+use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
 use super::locus::Elevated;
 
@@ -42,8 +42,8 @@ impl Elevated {
 
         // a = 2 r n (u n), n being 1/(2 + u) and r = ρ where a would cancel in the other form, in
         // which n is 1/u, u n is 1 and r = ln(1 + u)(1/2 + 1/u) − 1; n is lifted off the end of the range
-        let logarithm = Logarithm::of(q);
-        let near = logarithm.near;
+        let near = q.hi < 2.0;
+        let logarithm = logarithm(q, near);
         let q_plus_one = u.add_positive(2.0);
         let lifted = DoubleDouble::from(LIFT).div(DoubleDouble::select(near, q_plus_one, u));
         let n = lifted.scale(1.0 / LIFT);

@@ -13,7 +13,7 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
 use super::super::real::{
-    LN2_HI, LN2_LO, exponent_and_significand, polynomial, power_and_inverse, power_of_two, select,
+    LN2_HI, LN2_LO, Logarithm, exponent_and_significand, polynomial, power_and_inverse, select,
 };
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
@@ -42,40 +42,11 @@ fn ratio_of_square(z: f64) -> DoubleDouble {
     DoubleDouble { hi: sum.hi, lo: sum.lo + THIRD.lo }
 }
 
-/// `ln(1 + u)` in pieces; for u < 1 they are those of σ itself.
-pub(super) struct Logarithm {
-    /// whether u < 1
-    pub near: bool,
-    pub k: f64,
-    /// `(m − 1)/(m + 1)`, 1 + u being 2ᵏ m
-    pub s: DoubleDouble,
-    /// `ρ(s²)`
-    pub rho: DoubleDouble,
-}
-
-impl Logarithm {
-    /// Of q = 1 + u.
-    #[inline(always)]
-    pub fn of(q: DoubleDouble) -> Self {
-        let near = q.hi < 2.0;
-        let (k, m) = exponent_and_significand(q.hi);
-        let (k, m) = (select(near, 0.0, k), select(near, q.hi, m));
-        // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside the logarithm
-        let low = q.lo * power_of_two(-select(k > 1000.0, 1000.0, k));
-        let f = fast_two_sum(m - 1.0, low);
-        let sum = fast_two_sum(2.0, f.hi);
-        let s = f.div(DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo });
-        Logarithm { near, k, s, rho: ratio_of_square(s.hi * s.hi) }
-    }
-
-    /// `k ln 2 + 2s + 2s³ ρ(s²)`
-    #[inline(always)]
-    pub fn value(&self) -> DoubleDouble {
-        let s = self.s.hi;
-        let sum = fast_two_sum(self.k * LN2_HI, 2.0 * s);
-        let tail = 2.0 * s * (s * s) * self.rho.hi;
-        fast_two_sum(sum.hi, sum.lo + (tail + 2.0 * self.s.lo + self.k * LN2_LO))
-    }
+/// `ln(1 + u)`, of q = 1 + u: for u < 1, where q is below 2, its pieces are those of artanh σ itself.
+#[inline(always)]
+pub(super) fn logarithm(q: DoubleDouble, near: bool) -> Logarithm {
+    let (k, m) = exponent_and_significand(q.hi);
+    Logarithm::of_parts(q, select(near, 0.0, k), select(near, q.hi, m), ratio_of_square)
 }
 
 /// Drag at one value of u = ε sin α.

@@ -5,6 +5,7 @@
 //! seventeen operations: the very same number, short of the ends of the range.
 
 use super::super::FUSED;
+
 /// The sum `hi + lo`, with `|lo|` far below `|hi|`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {

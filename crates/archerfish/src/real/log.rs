@@ -41,16 +41,22 @@ impl Logarithm {
     #[inline(always)]
     pub fn of(w: DoubleDouble) -> Self {
         let (k, m) = exponent_and_significand(w.hi);
+        Logarithm::of_parts(w, k, m, |z| {
+            let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
+            fast_two_sum(rho.hi, rho.lo + THIRD.lo)
+        })
+    }
+
+    /// Of `w = 2ᵏ m + w.lo`, given ρ for where s² then lies.
+    #[inline(always)]
+    pub fn of_parts(w: DoubleDouble, k: f64, m: f64, rho: impl Fn(f64) -> DoubleDouble) -> Self {
         // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside ln w
         let low = w.lo * power_of_two(-select(k > 1000.0, 1000.0, k));
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
         let s = f.div(denominator);
-        let z = s.hi * s.hi;
-        let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
-        let rho = fast_two_sum(rho.hi, rho.lo + THIRD.lo);
-        Logarithm { k, s, rho }
+        Logarithm { k, s, rho: rho(s.hi * s.hi) }
     }
 
     /// `2 s³ ρ(s²)`, the rounded part of `ln(1 + f)`; `2s` is the other.
