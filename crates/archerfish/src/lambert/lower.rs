@@ -44,8 +44,10 @@ pub fn lambertwm1(z: f64) -> f64 {
     // one square root for −p or η
     let root = sqrt(select(close, square(offset), eta_square(z)));
     let w = start(root);
+    // here, while the division of the start is under way (bench/NOTES.md, "Order")
+    let near = lower_close(-root);
     let far = w + correction(DoubleDouble::from(z), w, LIFT);
-    let regular = select(close, lower_close(-root), far);
+    let regular = select(close, near, far);
     let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
     select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
 }
@@ -55,9 +57,10 @@ pub fn lambertwm1(z: f64) -> f64 {
 /// d in [0, 1/e], NaN outside; the double nearest 1/e counts as 1/e and gives −∞.
 #[inline(always)]
 pub fn lambertwm1_offset(d: f64) -> f64 {
-    let near = lower_near(DoubleDouble::from(d));
     let z = at_offset(d);
-    let far = one_plus_corrected(z, start(sqrt(eta_square(z.hi))), LIFT);
+    let w = start(sqrt(eta_square(z.hi)));
+    let near = lower_near(DoubleDouble::from(d));
+    let far = one_plus_corrected(z, w, LIFT);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
     select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)

@@ -51,8 +51,10 @@ pub fn lambertw0(z: f64) -> f64 {
     // one square root for p or y
     let root = sqrt(select(close, square(offset), logarithm + END));
     let w = start(logarithm, root);
+    // here, while the division of the start is under way (bench/NOTES.md, "Order")
+    let near = principal_close(root);
     let far = w + correction(DoubleDouble::from(z), w, 0.0);
-    let regular = select(close, principal_close(root), far);
+    let regular = select(close, near, far);
     let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
     select(z >= -INVERSE_E.hi, regular, f64::NAN)
 }
@@ -62,10 +64,11 @@ pub fn lambertw0(z: f64) -> f64 {
 /// d ≥ 0, below it NaN.
 #[inline(always)]
 pub fn lambertw0_offset(d: f64) -> f64 {
-    let near = principal_near(DoubleDouble::from(d));
     let z = at_offset(d);
     let logarithm = rough_ln_1p(z.hi);
-    let far = one_plus_corrected(z, start(logarithm, sqrt(logarithm + END)), 0.0);
+    let w = start(logarithm, sqrt(logarithm + END));
+    let near = principal_near(DoubleDouble::from(d));
+    let far = one_plus_corrected(z, w, 0.0);
     let regular = select(d < NEAR, near.round(), far);
     let regular = select(d == f64::INFINITY, d, regular);
     select(d >= 0.0, regular, f64::NAN)

@@ -34,20 +34,24 @@ pub fn log1pmx(x: f64) -> f64 {
     // exact: 2ᵏ − 1 and x are within a factor of two, or k is 0
     let f = (x - (f64::from_bits(power) - 1.0)) * inverse;
 
-    let s = DoubleDouble::from(f).div(fast_two_sum(2.0, f));
-    let product = two_product(s.hi, f);
-    let z = s.hi * s.hi;
-    let tail = (2.0 * s.hi) * z * polynomial(z, &LOG1PMX_TAIL);
+    let denominator = fast_two_sum(2.0, f);
+    let inverse = 1.0 / denominator.hi;
 
     // k ln 2 and −x have opposite signs, and the negative one is the greater; the next two sums are
     // exact or of a greater and a smaller number too
     let whole = k * LN2_HI;
     let below = fast_two_sum(select(whole < -x, whole, -x), select(whole < -x, -x, whole));
     let bracket = fast_two_sum(below.hi, f);
+    let rest = k * LN2_LO + (below.lo + bracket.lo);
+
+    let s = DoubleDouble::from(f).div_by(denominator, inverse);
+    let product = two_product(s.hi, f);
+    let z = s.hi * s.hi;
+    let tail = (2.0 * s.hi) * z * polynomial(z, &LOG1PMX_TAIL);
+
     let sum = fast_two_sum(bracket.hi, -product.hi);
     // s.lo with the derivative of −s f + 2s³ρ
-    let small =
-        (tail - (product.lo + s.lo * (f - 2.0 * z))) + (k * LN2_LO + (below.lo + bracket.lo));
+    let small = (tail - (product.lo + s.lo * (f - 2.0 * z))) + rest;
     let regular = sum.hi + (sum.lo + small);
     // the parts of x²/2 underflow before it does
     let regular = select(x.abs() < 1e-140, -(0.5 * x * x), regular);
