@@ -55,6 +55,8 @@ pub(crate) struct Elevated {
     /// `sin θ + τ cos θ`, which is sin(θ + β₀)/cos β₀
     up: DoubleDouble,
     cos_beta: DoubleDouble,
+    /// `β₀ − τ`
+    bend: f64,
     /// `α − θ − β₀`, for θ ≤ π/2
     step: f64,
 }
@@ -69,19 +71,20 @@ impl Elevated {
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
         let up = sin_theta.add_smaller(cos_theta.times_double(tau));
         let cos_beta = cos_of_tan(tau);
+        // here, while its division and its root are under way (bench/NOTES.md, "Order")
+        let z = tau * tau;
+        let bend = tau * z * polynomial(z, &SMALL_ATAN_TAIL);
         let u = up.times(cos_beta).times_double(epsilon).round();
         let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u);
-        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, step }
+        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, bend, step }
     }
 
     /// α in [0, π]
     #[inline(always)]
     pub fn launch_angle(&self) -> f64 {
         let sign = select(self.mirrored, -1.0, 1.0);
-        let z = self.tau * self.tau;
-        let tail = self.tau * z * polynomial(z, &SMALL_ATAN_TAIL);
         let sum = fast_two_sum(self.theta, sign * self.tau);
-        sum.hi + (sum.lo + sign * (self.step + tail))
+        sum.hi + (sum.lo + sign * (self.step + self.bend))
     }
 
     /// sin α and |cos α|
