@@ -70,5 +70,5 @@ impl Touching {
 /// launch angle.
 #[inline(always)]
 pub fn envelope_height(x: f64, eps: f64) -> f64 {
-    select(is_drag(eps) & (x.abs() < f64::INFINITY), Touching::at(x, eps).height(), f64::NAN)
+    select(is_drag(eps) & (x.abs() <= f64::MAX), Touching::at(x, eps).height(), f64::NAN)
 }
