@@ -4,12 +4,12 @@
 //! `(1 − e^{−τ})/τ = 1/(1 + u)`.
 //!
 //! Method: a rational start for h/u, good to 2⁻¹⁷ where it has to be, and one step of third order.
-//! With w = 2h and r = 1 − e⁻ʷ the equation is `(1 + u) r = w`; formed in sums of two doubles, for
-//! the difference is small. For small w, where it would be small beside its terms, everything is a
-//! multiple of a power of w: with `e⁻ʷ = 1 − w + w²/2 − w³ B`
+//! With w = 2h and r = 1 − e⁻ʷ the equation is `(1 + u) r = w`, whose two sides are nearly equal:
+//! both in sums of two doubles, r to as many digits of its own. What the step is divided by needs
+//! few digits; for small w, with `e⁻ʷ = 1 − w + w²/2 − w³ B`, it is
 //!
-//! - `r = w D`, `D = 1 − w/2 + w² B`,
-//! - `h coth h − 1 = w² C/D`, `C = 1/4 − B (1 + w/2)`.
+//! - `r − w e⁻ʷ = w² (1/2 − w (1/2 − B (1 + w)))`,
+//! - `w − r (1 + h) = w³ (1/4 − B (1 + h))`.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
 use super::super::real::{Exponential, polynomial, power_of_two, select};
@@ -20,42 +20,68 @@ const HALF_TIME_START_TOP: [f64; 5] =
 const HALF_TIME_START_BOTTOM: [f64; 5] =
     [1.0, 1.674860793, 0.7231062684, 0.08831008133, 0.01993010758];
 
-/// `h`, for u > 0 and q = 1 + u; hi alone is good to 2⁻¹⁴.
+/// A double next to `h`, to 2⁻¹⁴.
 #[inline(always)]
-pub(super) fn half_time(u: DoubleDouble, q: DoubleDouble) -> DoubleDouble {
+pub(super) fn start(u: f64) -> f64 {
     // beyond 10⁶ the guess is right to 10⁻⁶ and the equation linear
-    let size = select(u.hi > 1e6, 1e6, u.hi);
+    let size = select(u > 1e6, 1e6, u);
     let ratio = polynomial(size, &HALF_TIME_START_TOP) / polynomial(size, &HALF_TIME_START_BOTTOM);
-    let h = u.hi * ratio;
-    let w = 2.0 * h;
+    u * ratio
+}
 
+/// The landing: h is a start and a small step, and so is r.
+pub(super) struct Landing {
+    start: f64,
+    step: f64,
+    gone: DoubleDouble,
+    rest: f64,
+}
+
+impl Landing {
+    /// `h`; hi alone is good to 2⁻¹⁴.
+    #[inline(always)]
+    pub fn half_time(&self) -> DoubleDouble {
+        DoubleDouble { hi: self.start, lo: self.step }
+    }
+
+    /// `r = 1 − e^{−2h}`; hi alone is good to 2⁻¹³.
+    #[inline(always)]
+    pub fn gone(&self) -> DoubleDouble {
+        // beyond e⁻ʷ = 2⁻⁵³ there is nothing to add, and the step may be great
+        let change = select(self.rest > 0.0, 2.0 * self.step, 0.0);
+        let change = change - change * change * (0.5 - change * (1.0 / 6.0));
+        DoubleDouble { hi: self.gone.hi, lo: self.gone.lo + self.rest * change }
+    }
+}
+
+/// The landing for q = 1 + u, u at least 2⁻⁴⁰, given a start for h.
+#[inline(always)]
+pub(super) fn landing(q: DoubleDouble, h: f64) -> Landing {
+    let w = 2.0 * h;
     // beyond w = 80 all of e⁻ʷ is below the last bit of the second double but a few
     let exponential = Exponential::of(-select(w > 80.0, 80.0, w));
-    let significand = exponential.loose_significand();
     let power = power_of_two(exponential.n);
-    let gone = fast_two_sum(1.0, -(power * significand.hi));
-    let gone = DoubleDouble { hi: gone.hi, lo: gone.lo - power * significand.lo };
+    let change = exponential.loose_excess().scale(power);
+    let gone = fast_two_sum(1.0 - power, -change.hi);
+    let gone = DoubleDouble { hi: gone.hi, lo: gone.lo - change.lo };
     let product = q.times(gone);
-    let far_excess = (product.hi - w) + product.lo;
-    let gone = gone.round();
+    // exact: they are nearly equal
+    let excess = (product.hi - w) + product.lo;
+    let (exact, gone) = (gone, gone.round());
     let rest = 1.0 - gone;
 
-    // exponential.r is −w there
+    // exponential.r is −w there, and bend B
     let near = exponential.n == 0.0;
     let bend = exponential.bend;
-    let gone_by_w = 1.0 - w * (0.5 - w * bend);
-    let bulge = 0.25 - bend * (1.0 + h);
-    let lacking = (u.hi - h) + u.lo;
-    let near_excess = lacking * gone_by_w - w * (w * bulge);
-
-    // Newton's step is excess · scale/slope, and of the second derivative over twice the first
-    // remains 4 rest · bulge/(scale · slope)
-    let excess = select(near, near_excess, far_excess);
-    let scale = select(near, gone_by_w, gone);
-    let slope = select(near, 1.0 - w * (1.0 - 2.0 * bend * (1.0 + w)), 2.0 * (gone - w * rest));
-    let bulge = select(near, bulge, w - gone * (1.0 + h));
-    let inverse = 1.0 / (scale * slope);
-    let newton = excess * (scale * (scale * inverse));
+    let square = w * w;
+    let slope_near = square * (0.5 - w * (0.5 - bend * (1.0 + w)));
+    let slope = 2.0 * select(near, slope_near, gone - w * rest);
+    let bulge_near = square * w * (0.25 - bend * (1.0 + h));
+    let bulge = select(near, bulge_near, w - gone * (1.0 + h));
+    // Newton's step is excess · gone/slope, and of the second derivative over twice the first
+    // remains 4 rest · bulge/(gone · slope)
+    let inverse = 1.0 / (gone * slope);
+    let newton = excess * (gone * (gone * inverse));
     let half_bend = 4.0 * rest * (bulge * inverse);
-    DoubleDouble { hi: h, lo: newton - newton * (newton * half_bend) }
+    Landing { start: h, step: newton - newton * (newton * half_bend), gone: exact, rest }
 }

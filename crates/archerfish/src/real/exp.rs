@@ -45,11 +45,18 @@ impl Exponential {
         Exponential { n, r: r.hi, bend, half_square: 0.5 * square.hi, rest }
     }
 
+    /// `eˣ/2ⁿ − 1`, as it falls: hi alone is good to 2⁻⁵ of it.
+    #[inline(always)]
+    pub fn loose_excess(&self) -> DoubleDouble {
+        let sum = fast_two_sum(self.r, self.half_square);
+        DoubleDouble { hi: sum.hi, lo: sum.lo + self.rest }
+    }
+
     /// `eˣ/2ⁿ − 1`
     #[inline(always)]
     fn excess(&self) -> DoubleDouble {
-        let sum = fast_two_sum(self.r, self.half_square);
-        fast_two_sum(sum.hi, sum.lo + self.rest)
+        let sum = self.loose_excess();
+        fast_two_sum(sum.hi, sum.lo)
     }
 
     /// `eˣ/2ⁿ`, as it falls: hi alone is good to 2⁻⁶ only.

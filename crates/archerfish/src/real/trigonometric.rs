@@ -77,7 +77,7 @@ pub(crate) fn sin_cos_upper(x: f64) -> (DoubleDouble, DoubleDouble) {
     let rest = select(left, 2.0 * FRAC_PI_2_LO, select(upright, -FRAC_PI_2_LO, 0.0));
     let r = select(left, PI - x, x - select(upright, FRAC_PI_2, 0.0));
     let (sin, cos) = sin_cos_reduced(fast_two_sum(r, rest));
-    let turned = upright & !left;
+    let turned = upright & (x <= 3.0 * FRAC_PI_4);
     let across = DoubleDouble::select(turned, sin, cos);
     (DoubleDouble::select(turned, cos, sin), DoubleDouble::select(upright, across.neg(), across))
 }
