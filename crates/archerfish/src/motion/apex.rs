@@ -1,8 +1,8 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::super::real::double_double::fast_two_sum;
-use super::super::real::{Logarithm, angle, select};
-use super::launch::{LIFT, Launch, TINY, within_domain};
+use super::super::real::double_double::{fast_two_sum, two_sum};
+use super::super::real::{Logarithm, atan_bend, select};
+use super::launch::{LIFT, Launch, within_domain};
 
 impl Launch {
     /// `x = sin α cos α / q`
@@ -38,14 +38,17 @@ impl Launch {
         self.lifted().times(stretch.sqrt()).quotient(self.q()) * (1.0 / LIFT)
     }
 
-    /// θ, from `tan θ = G(u) tan α` with the denominator of G on the other side
+    /// `θ = α − arctan τ`, `τ = R sin α cos α / (2 + u − R sin²α)`, R being 1 + (1 + u) a, which is
+    /// (2 + u)(1 − G): equation (10), and τ² is at most 1/8
     #[inline(always)]
-    fn elevation(&self) -> f64 {
-        let up = self.sin.times(self.q().times(fast_two_sum(1.0, -self.a())));
-        // so small an angle is proportional to its tangent, which would be subnormal on the way
-        let tiny = self.sin.hi < TINY;
-        let up = up.scale(select(tiny, LIFT, 1.0));
-        angle(up, self.cos.times(self.q_plus_one())).round() * select(tiny, 1.0 / LIFT, 1.0)
+    fn elevation(&self, alpha: f64) -> f64 {
+        let rise = self.sin.times(two_sum(1.0, self.q().hi * self.a()));
+        let fall = rise.times(self.sin);
+        let divisor = self.q_plus_one().sub_smaller(fall);
+        let lifted = rise.scale(LIFT).times(self.cos).div(divisor);
+        let tau = lifted.scale(1.0 / LIFT);
+        let sum = fast_two_sum(alpha, -tau.hi);
+        sum.hi + (sum.lo - (tau.lo * (1.0 - tau.hi * tau.hi) + atan_bend(tau.hi)))
     }
 }
 
@@ -57,7 +60,7 @@ pub fn apex(alpha: f64, eps: f64) -> (f64, f64, f64, f64) {
     (
         within_domain(alpha, eps, launch.x()),
         within_domain(alpha, eps, launch.y()),
-        within_domain(alpha, eps, launch.elevation()),
+        within_domain(alpha, eps, launch.elevation(alpha)),
         within_domain(alpha, eps, launch.curvature()),
     )
 }

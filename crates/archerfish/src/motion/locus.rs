@@ -13,7 +13,7 @@
 use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
 };
-use super::super::real::{polynomial, select, sin_cos_upper, sqrt};
+use super::super::real::{atan_bend, polynomial, select, sin_cos_upper, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 
@@ -26,21 +26,6 @@ const ROUGHER_GAIN_BOTTOM: [f64; 3] = [1.0, 27.46378559, 40.64950412];
 // rough_gain_slope: least squares, error 0.00016: reference/coefficients.py rough_gain_slope
 const ROUGH_GAIN_SLOPE: [f64; 6] =
     [-9.308471175e-06, 0.02536088662, 7.435762406, 158.6600913, -39.50637987, -126.6566319];
-// small_atan_tail: minimax on [0.0, 0.1251], degree 9,
-// weighted error 4.63e-18: reference/coefficients.py small_atan_tail
-const SMALL_ATAN_TAIL: [f64; 10] = [
-    -0.33333333333333165,
-    0.1999999999993487,
-    -0.14285714276851577,
-    0.11111110513149787,
-    -0.09090885856095661,
-    0.07691747138814369,
-    -0.0665796483859827,
-    0.05794792218598504,
-    -0.04703752663544858,
-    0.026216597317965593,
-];
-
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
@@ -72,8 +57,7 @@ impl Elevated {
         let up = sin_theta.add_smaller(cos_theta.times_double(tau));
         let cos_beta = cos_of_tan(tau);
         // here, while its division and its root are under way (bench/NOTES.md, "Order")
-        let z = tau * tau;
-        let bend = tau * z * polynomial(z, &SMALL_ATAN_TAIL);
+        let bend = atan_bend(tau);
         let u = up.times(cos_beta).times_double(epsilon).round();
         let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u);
         Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, bend, step }

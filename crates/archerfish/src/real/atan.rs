@@ -22,6 +22,20 @@ const ATAN_TAIL: [f64; 12] = [
     -0.03348709642385551,
     0.015208009492690055,
 ];
+// small_atan_tail: minimax on [0.0, 0.1251], degree 9,
+// weighted error 4.63e-18: reference/coefficients.py small_atan_tail
+const SMALL_ATAN_TAIL: [f64; 10] = [
+    -0.33333333333333165,
+    0.1999999999993487,
+    -0.14285714276851577,
+    0.11111110513149787,
+    -0.09090885856095661,
+    0.07691747138814369,
+    -0.0665796483859827,
+    0.05794792218598504,
+    -0.04703752663544858,
+    0.026216597317965593,
+];
 const TAN_EIGHTH_PI: f64 = 0.41421356237309503;
 
 /// π/4 in two parts; the first has 50 bits, so that 3 multiplies it exactly.
@@ -52,6 +66,13 @@ pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let sense = select(steep != left, -1.0, 1.0);
     let sum = fast_two_sum(eighths * QUARTER_PI.hi, sense * t.hi);
     fast_two_sum(sum.hi, sum.lo + (eighths * QUARTER_PI.lo + sense * (t.lo * (1.0 - z) + tail)))
+}
+
+/// `arctan t − t` for t² up to 1/8.
+#[inline(always)]
+pub(crate) fn atan_bend(t: f64) -> f64 {
+    let z = t * t;
+    t * z * polynomial(z, &SMALL_ATAN_TAIL)
 }
 
 /// `arctan x`.
