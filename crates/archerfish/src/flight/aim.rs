@@ -10,9 +10,11 @@
 //! the fourth derivative. The angle is that of (X, Y + γβ).
 
 use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
+    DoubleDouble, fast_two_sum, two_product, two_square,
 };
-use super::super::real::{Exponential, angle, nearest_integer, polynomial, power_of_two};
+use super::super::real::{
+    Exponential, angle, nearest_integer, polynomial, power_and_inverse, power_of_two,
+};
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
 use super::aim_start::{Contact, Start, start};
 use super::domain::is_drag;
@@ -42,6 +44,7 @@ const DEEP: f64 = 1e70;
 /// What enlarges tiny targets: 2¹⁰⁰⁰ and 2⁷⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
+const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 /// 2π
 const WHOLE: DoubleDouble =
@@ -53,18 +56,29 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
     select(a > b, a, b)
 }
 
+/// `a` and `b`, whichever is less; `b` where `a` is NaN.
+#[inline(always)]
+pub(super) fn least(a: f64, b: f64) -> f64 {
+    select(a < b, a, b)
+}
+
+/// `a`, or the nearer of the two bounds.
+#[inline(always)]
+fn within(a: f64, bound: f64) -> f64 {
+    least(greater(a, -bound), bound)
+}
+
 /// A target and the drag, in the units of this file.
 pub(super) struct Target {
-    pub x: DoubleDouble,
-    pub y: DoubleDouble,
-    pub epsilon: f64,
-    /// what lengths are multiplied with
+    pub x: f64,
+    pub y: f64,
+    /// the unit of length is 1/μ, μ = 1/γ a power of two
     pub mu: f64,
     pub lambda: f64,
-    pub gamma: DoubleDouble,
+    pub gamma: f64,
     /// `1/λ`
-    pub end: DoubleDouble,
-    pub end_square: f64,
+    pub end: f64,
+    pub end_square: DoubleDouble,
     /// `λx` and `λy`
     pub share: DoubleDouble,
     pub rise: f64,
@@ -77,30 +91,21 @@ impl Target {
     fn new(x: f64, y: f64, epsilon: f64) -> Self {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
-        let inverse = 1.0 / epsilon;
-        let rest = rest_of_product(1.0, epsilon, inverse) * inverse;
-        let strong = epsilon > 1.0;
-        let mu = select(strong, epsilon, 1.0);
-        let one_or_inverse =
-            |one: bool| DoubleDouble { hi: select(one, 1.0, inverse), lo: select(one, 0.0, rest) };
-        let end = one_or_inverse(strong);
-        let bounded = |value: DoubleDouble, bound: f64| {
-            let hi = select(value.hi > -bound, value.hi, -bound);
-            DoubleDouble { hi: select(hi < bound, hi, bound), lo: value.lo }
-        };
-        let share = two_product(epsilon, x);
-        let rise = bounded(DoubleDouble::from(epsilon * y), DEEP).hi;
+        let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
+        let (x, y) = (within(mu * x, FAR), within(mu * y, DEEP));
+        let lambda = epsilon * gamma;
+        let end = DoubleDouble::from(1.0).div_double(lambda);
+        let share = two_product(lambda, x);
         Target {
-            x: bounded(two_product(mu, x), FAR),
-            y: bounded(two_product(mu, y), DEEP),
-            epsilon,
+            x,
+            y,
             mu,
-            lambda: select(strong, 1.0, epsilon),
-            gamma: one_or_inverse(!strong),
-            end,
-            end_square: end.hi * end.hi,
+            lambda,
+            gamma,
+            end: end.hi,
+            end_square: end.squared(),
             share,
-            rise,
+            rise: lambda * y,
             beyond: ((1.0 - share.hi) - share.lo) * ((1.0 + share.hi) + share.lo),
         }
     }
@@ -108,8 +113,8 @@ impl Target {
     /// The step from t towards the zero; there β is to be taken for `fall`, if that is a number.
     #[inline(always)]
     fn step(&self, sense: f64, start: &Start) -> f64 {
-        let (lambda, gamma) = (self.lambda, self.gamma.hi);
-        let w = select(lambda * start.t < ENDED, lambda * start.t, ENDED);
+        let (lambda, gamma) = (self.lambda, self.gamma);
+        let w = least(lambda * start.t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
@@ -117,7 +122,7 @@ impl Target {
         let near = n == 0.0;
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
-        let far = (w - (1.0 - rest)) * self.end_square;
+        let far = (w - (1.0 - rest)) * self.end_square.hi;
         let fall = select(near, start.t * start.t * q, far);
         let way = start.t - lambda * fall;
         // on to where β is as wanted
@@ -132,10 +137,10 @@ impl Target {
         let off = lambda * later;
         let rest = rest - rest * off * (1.0 - off * (0.5 - off * (1.0 / 6.0)));
 
-        let (x, y) = (self.x.hi, self.y.hi);
+        let (x, y) = (self.x, self.y);
         let up = y + gamma * fall;
         let gone = rest * (1.0 + lambda * way);
-        let excess_far = (self.beyond - gone) * self.end_square - up * up;
+        let excess_far = (self.beyond - gone) * self.end_square.hi - up * up;
         let excess_near = (way - x) * (way + x) - up * up;
         let excess = select(near, excess_near, excess_far);
         let model = Model::new(self, way, rest, rest - gamma * up, excess);
@@ -159,11 +164,10 @@ impl Target {
         sense: f64,
         t: f64,
         contact: &Contact,
-    ) -> (DoubleDouble, DoubleDouble, bool, bool) {
-        let (lambda, gamma) = (self.lambda, self.gamma.hi);
+    ) -> (DoubleDouble, f64, bool, bool) {
+        let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
-        let argument = select(w.hi < ENDED, w.hi, ENDED);
-        let exponential = Exponential::of(-argument);
+        let exponential = Exponential::of(-least(w.hi, ENDED));
         let power = power_of_two(exponential.n);
         let significand = exponential.loose_significand();
         let (high, low) =
@@ -171,7 +175,7 @@ impl Target {
         let gone = fast_two_sum(1.0, -high); // short of `low`
         let far = fast_two_sum(w.hi, -gone.hi);
         let far = fast_two_sum(far.hi, far.lo + (w.lo - (gone.lo - low)));
-        let far = far.times(self.end).times(self.end);
+        let far = far.times(self.end_square);
         let near = fast_two_sum(0.5, exponential.r * exponential.bend);
         let near = near.times(two_square(t));
         let fall = DoubleDouble::select(exponential.n == 0.0, near, far);
@@ -179,22 +183,17 @@ impl Target {
         let way = fast_two_sum(t, -slowed.hi);
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
-        // where γ is tiny, so may the rise be
-        let tiny = (sense == LOW) & (self.epsilon > 1e150);
-        let (large, back) = (select(tiny, LARGE, 1.0), select(tiny, 1.0 / LARGE, 1.0));
-        let scaled_gamma = self.gamma.scale(large);
-        let scaled_up = self.y.scale(large).add(fall.times(scaled_gamma));
-        let up = scaled_up.scale(back);
+        let up = fall.scale(gamma).add_double(self.y);
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
-        let (way_square, up_square, x_square) = (way.squared(), up.squared(), self.x.squared());
+        let (way_square, up_square, x_square) = (way.squared(), up.squared(), two_square(self.x));
         let ahead = fast_two_sum(way_square.hi, -x_square.hi);
         let excess =
             (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
         let model = Model::new(self, way.hi, rest, rest - gamma * up.hi, excess);
         // H at its greatest, times `unit`, by what y is off the envelope
         let discriminant = model.discriminant();
-        let digits = model.unit * -model.bend * contact.up * (self.y.hi.abs() + contact.up);
+        let digits = model.unit * -model.bend * contact.up * (self.y.abs() + contact.up);
         let on = contact.close & (discriminant < digits * (3.0 * f64::EPSILON));
         let there = !contact.close | (discriminant > digits * (-5.0 * f64::EPSILON));
         // where no zero is in sight yet, a moderate step
@@ -214,9 +213,9 @@ impl Target {
         let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
         let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
         let theta = theta + select(small, correction, 0.0);
-        let scaled_up =
-            fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma.hi * (way.hi * theta));
-        (scaled_up, self.x.scale(large), on, there)
+        // where γ is tiny, so may the rise be
+        let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
+        (fast_two_sum(up.hi * LARGE, moved), self.x * LARGE, on, there)
     }
 }
 
@@ -235,7 +234,7 @@ impl Model {
     #[inline(always)]
     pub fn new(target: &Target, way: f64, rest: f64, slope: f64, excess: f64) -> Self {
         let loss = target.lambda * rest;
-        let curvature = loss + target.gamma.hi * target.gamma.hi * way;
+        let curvature = loss + target.gamma * target.gamma * way;
         let second = way * curvature;
         let unit = 3.0 * second;
         let first = way * slope;
@@ -258,7 +257,7 @@ impl Model {
 #[inline(always)]
 fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let target = Target::new(x, y, epsilon);
-    let contact = Contact::of(&target, x, y);
+    let contact = Contact::of(&target);
     let start = start(&target, &contact, sense);
     let t = select(contact.close, contact.t, target.step(sense, &start));
     let (up, across, on, there) = target.direction(sense, t, &contact);
@@ -267,9 +266,9 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let ended = (start.end > RELAXED) & !on;
     let level = DoubleDouble::from(-sense * start.level);
     let up = DoubleDouble::select(ended, level, up);
-    let across = DoubleDouble::select(ended, target.share, across);
+    let across = DoubleDouble::select(ended, target.share, DoubleDouble::from(across));
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
-    let near = (sense == LOW) & (target.x.hi.abs() + target.y.hi.abs() < 1e-30);
+    let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
     let enlarged = |a: f64| a * MOST * MORE;
     let (ahead, above) = (enlarged(x), enlarged(y));
     let fallen = 0.5 * (ahead * x + above * y);

@@ -45,19 +45,14 @@ pub(super) struct Contact {
 
 impl Contact {
     #[inline(always)]
-    pub fn of(target: &Target, x: f64, y: f64) -> Self {
-        let Target { epsilon, mu, lambda, beyond, .. } = *target;
-        let (gamma, end) = (target.gamma.hi, target.end.hi);
-        // sin α = e/(εx² + √(x² + e)), p = 1/(sin α + ε), with one division
-        let size = x.abs();
-        let root = select(size > 1e150, size, sqrt(size * size + beyond));
-        let bottom = target.share.hi * x + root;
-        let sum = beyond + epsilon * bottom;
-        let inverse = 1.0 / (bottom * sum);
-        let p = bottom * (bottom * inverse);
-        let rest = beyond * (bottom * inverse);
-        let up = mu * (beyond * (sum * inverse) * p);
-        let (v, way) = (epsilon * p, mu * p);
+    pub fn of(target: &Target) -> Self {
+        let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
+        // of the optimal shot sin α = (1 − λ²X²)/(λγX² + √(γ²X² + 1 − λ²X²)), P = 1/(λ + γ sin α)
+        let across = gamma * x;
+        let bottom = target.share.hi * across + sqrt(across * across + beyond);
+        let inverse = 1.0 / (lambda * bottom + gamma * beyond);
+        let (way, up) = (bottom * inverse, beyond * inverse);
+        let (v, rest) = (lambda * way, gamma * up);
 
         let (k, m) = exponent_and_significand(rest);
         let near = k == 0.0;
@@ -69,11 +64,11 @@ impl Contact {
         let w = -(k * core::f64::consts::LN_2 + 2.0 * (s * artanh_ratio));
         let psi = (1.0 - s * (1.0 - s) * rho) * inverse;
         let far = w - v;
-        let fall = select(near, way * way * psi, far * target.end_square);
+        let fall = select(near, way * way * psi, far * target.end_square.hi);
         let t = select(near, way * (2.0 * (artanh_ratio * inverse)), w * end);
 
         let height = up - gamma * fall;
-        let below = height - mu * y;
+        let below = height - y;
         let noise = (8.0 * f64::EPSILON) * height.abs();
         let band = way * (lambda * rest + gamma * gamma * way) * 2e-9;
         let band = select(band < up * up * 0.0156, band, up * up * 0.0156) + noise * up;
@@ -107,9 +102,8 @@ pub(super) struct Start {
 
 #[inline(always)]
 pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
-    let Target { mu, lambda, beyond, rise, .. } = *target;
-    let (gamma, end) = (target.gamma.hi, target.end.hi);
-    let (x, y) = (target.x.hi, target.y.hi);
+    let Target { x, y, mu, lambda, gamma, end, rise, beyond, .. } = *target;
+    let end_square = target.end_square.hi;
     let low = sense == LOW;
     let before_wall = beyond - rise * rise;
     let r2 = x * x + y * y;
@@ -118,7 +112,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let Contact { way, rest, .. } = *contact;
     let tangent_near = r2 - way * way * (1.0 - contact.ratio + 16.0 * f64::EPSILON);
     let tangent_far = (rest * (2.0 - rest) + contact.twice - before_wall - 16.0 * f64::EPSILON)
-        * target.end_square;
+        * end_square;
     let tangent = select(contact.near, tangent_near, tangent_far);
     // γ²β less half of what the two zeros have in common
     let outer = |k: f64, tangent: f64| {
@@ -142,7 +136,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     // by the approximation at the touching point
     let up = y + gamma * contact.fall;
     let excess_near = (way - x) * (way + x) - up * up;
-    let excess_far = (beyond - rest * (2.0 - rest)) * target.end_square - up * up;
+    let excess_far = (beyond - rest * (2.0 - rest)) * end_square - up * up;
     let excess = select(contact.near, excess_near, excess_far);
     let model = Model::new(target, way, rest, rest - gamma * up, excess);
     // inside, the root is the greater of the two
@@ -161,7 +155,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let q = select(q < 1e30, q, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
     let t = lambda * fall + way;
-    let end = ended * target.epsilon;
+    let end = ended * lambda * mu;
     if !low {
         return Start { t, fall, moved: false, level, end };
     }
@@ -180,10 +174,8 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
 /// where all shots have fallen to.
 #[inline(always)]
 fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
-    let Target { lambda, beyond, .. } = *target;
-    let gamma = target.gamma.hi;
-    let x = target.x.hi;
-    let up = target.y.hi + gamma * fall;
+    let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
+    let up = y + gamma * fall;
     let distance = sqrt(x * x + up * up);
     let share = lambda * distance;
     let rest_square = beyond - (lambda * up) * (lambda * up); // 1 − (λR)²
@@ -192,7 +184,7 @@ fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
     let (k, m) = exponent_and_significand(rest);
     let f = select(k == 0.0, -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
-    let value = t + logarithm * target.end.hi;
+    let value = t + logarithm * end;
     let unit = distance * rest;
     let slope = unit - up * gamma * way;
     let change = -(value * unit) / slope;
