@@ -13,7 +13,7 @@ use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, two_product, two_square,
 };
 use super::super::real::{
-    Exponential, angle, nearest_integer, polynomial, power_and_inverse, power_of_two,
+    Exponential, angle_all_round, nearest_integer, polynomial, power_and_inverse, power_of_two,
 };
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
 use super::aim_start::{Contact, Start, start};
@@ -46,10 +46,6 @@ const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
 const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
-/// 2π
-const WHOLE: DoubleDouble =
-    DoubleDouble { hi: core::f64::consts::TAU, lo: f64::from_bits(0x3cb1_a626_3314_5c07) };
-
 /// `a` and `b`, whichever is greater; `b` where `a` is NaN.
 #[inline(always)]
 pub(super) fn greater(a: f64, b: f64) -> f64 {
@@ -125,17 +121,7 @@ impl Target {
         let far = (w - (1.0 - rest)) * self.end_square.hi;
         let fall = select(near, start.t * start.t * q, far);
         let way = start.t - lambda * fall;
-        // on to where β is as wanted
-        let inverse = 1.0 / way;
-        let lacking = select(start.moved, 0.0, start.fall - fall);
-        let share = lacking * inverse * inverse;
-        let later = lacking
-            * inverse
-            * (1.0 - rest * share * (0.5 - share * ((1.0 / 6.0) + (1.0 / 3.0) * rest)));
-        let farther = later - lambda * lacking;
-        let (t, way, fall) = (start.t + later, way + farther, fall + lacking);
-        let off = lambda * later;
-        let rest = rest - rest * off * (1.0 - off * (0.5 - off * (1.0 / 6.0)));
+        let t = start.t;
 
         let (x, y) = (self.x, self.y);
         let up = y + gamma * fall;
@@ -264,24 +250,17 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
 
     // at the end of all motion the way is 1/λ
     let ended = (start.end > RELAXED) & !on;
-    let level = DoubleDouble::from(-sense * start.level);
-    let up = DoubleDouble::select(ended, level, up);
-    let across = DoubleDouble::select(ended, target.share, DoubleDouble::from(across));
+    let level = two_product(-sense * start.level, target.end);
+    let up = DoubleDouble::select(ended, level.scale(LARGE), up);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
     let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
     let enlarged = |a: f64| a * MOST * MORE;
     let (ahead, above) = (enlarged(x), enlarged(y));
     let fallen = 0.5 * (ahead * x + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above).add_double(fallen), up);
-    let across = DoubleDouble::select(near, DoubleDouble::from(ahead), across);
+    let across = select(near, ahead, across);
 
-    let down = up.hi < 0.0;
-    let turn = angle(DoubleDouble::select(down, up.neg(), up), across);
-    let turn = DoubleDouble::select(down, turn.neg(), turn);
-    // downwards and backwards the angle goes on from π
-    let whole = DoubleDouble::select(down & (x < 0.0), WHOLE, DoubleDouble::from(0.0));
-    let sum = fast_two_sum(whole.hi, turn.hi);
-    let turn = sum.hi + (sum.lo + (turn.lo + whole.lo));
+    let turn = angle_all_round(up, across);
     let turn = select((x == 0.0) & (y == 0.0) & (sense == LOW), 0.0, turn);
     let inside = there & contact.below & (y > f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere

@@ -91,9 +91,6 @@ impl Contact {
 /// A time near that of the arc.
 pub(super) struct Start {
     pub t: f64,
-    /// β then, unless `moved`
-    pub fall: f64,
-    pub moved: bool,
     /// the rise when all motion has ended
     pub level: f64,
     /// λ²β of the arc that has ended
@@ -157,14 +154,12 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let t = lambda * fall + way;
     let end = ended * lambda * mu;
     if !low {
-        return Start { t, fall, moved: false, level, end };
+        return Start { t, level, end };
     }
     let change = straight(target, t, way, fall);
     let last = select(inside, contact.t, f64::INFINITY);
     Start {
         t: select(t + change < last, t + change, last),
-        fall: fall + change * (way + 0.5 * (1.0 - lambda * way) * change),
-        moved: change.abs() > 0.03125 * t,
         level,
         end,
     }

@@ -45,7 +45,7 @@ impl Launch {
         // so small an angle is proportional to its tangent, which would be subnormal on the way
         let tiny = self.sin.hi < TINY;
         let up = up.scale(select(tiny, LIFT, 1.0));
-        angle(up, self.cos.times(self.q_plus_one())).round() * select(tiny, 1.0 / LIFT, 1.0)
+        angle(up, self.cos.times(self.q_plus_one())) * select(tiny, 1.0 / LIFT, 1.0)
     }
 }
 
