@@ -250,7 +250,7 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
 
     // at the end of all motion the way is 1/λ
     let ended = (start.end > RELAXED) & !on;
-    let level = two_product(-sense * start.level, target.end);
+    let level = two_product(start.level, target.end);
     let up = DoubleDouble::select(ended, level.scale(LARGE), up);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
     let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
@@ -262,7 +262,7 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
 
     let turn = angle_all_round(up, across);
     let turn = select((x == 0.0) & (y == 0.0) & (sense == LOW), 0.0, turn);
-    let inside = there & contact.below & (y > f64::NEG_INFINITY) & is_drag(epsilon);
+    let inside = there & contact.reached & (y > f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
     select(inside & (turn.abs() <= core::f64::consts::TAU), turn, f64::NAN)
 }

@@ -6,7 +6,7 @@
 //! straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
 
 use super::super::real::{Logarithm, exponent_and_significand, polynomial, select, sqrt};
-use super::aim::{LOW, Model, Target, greater};
+use super::aim::{LOW, Model, Target, greater, least};
 
 // aim_log: minimax on [-0.293, 0.4143], degree 5,
 // weighted error 7.46e-6: reference/coefficients.py aim_log
@@ -31,16 +31,12 @@ pub(super) struct Contact {
     rest: f64,
     /// its rise without gravity
     pub up: f64,
-    /// whether w is small
-    near: bool,
-    /// `2 e⁻ʷ (w − 1 + e⁻ʷ)`
-    twice: f64,
-    /// `2 e⁻ʷ β/P²`
-    ratio: f64,
+    /// how far the target is below
+    below: f64,
     /// whether the target is so close under or over the envelope that both arcs begin here
     pub close: bool,
-    /// whether the target is not so far above
-    pub below: bool,
+    /// whether the target is not farther above than that
+    pub reached: bool,
 }
 
 impl Contact {
@@ -63,8 +59,7 @@ impl Contact {
         let artanh_ratio = 1.0 + s * s * rho;
         let w = -(k * core::f64::consts::LN_2 + 2.0 * (s * artanh_ratio));
         let psi = (1.0 - s * (1.0 - s) * rho) * inverse;
-        let far = w - v;
-        let fall = select(near, way * way * psi, far * target.end_square.hi);
+        let fall = select(near, way * way * psi, (w - v) * target.end_square.hi);
         let t = select(near, way * (2.0 * (artanh_ratio * inverse)), w * end);
 
         let height = up - gamma * fall;
@@ -79,11 +74,9 @@ impl Contact {
             fall,
             rest,
             up,
-            near,
-            twice: 2.0 * rest * far,
-            ratio: 2.0 * rest * psi,
+            below,
             close: above < band,
-            below: (above > -band) & (beyond > 0.0),
+            reached: (above > -band) & (beyond > 0.0),
         }
     }
 }
@@ -100,42 +93,28 @@ pub(super) struct Start {
 #[inline(always)]
 pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let Target { x, y, mu, lambda, gamma, end, rise, beyond, .. } = *target;
-    let end_square = target.end_square.hi;
     let low = sense == LOW;
-    let before_wall = beyond - rise * rise;
-    let r2 = x * x + y * y;
+    let Contact { way, rest, up, below, .. } = *contact;
 
-    // X² + Y² less the height of the tangent at β = 0, from below
-    let Contact { way, rest, .. } = *contact;
-    let tangent_near = r2 - way * way * (1.0 - contact.ratio + 16.0 * f64::EPSILON);
-    let tangent_far = (rest * (2.0 - rest) + contact.twice - before_wall - 16.0 * f64::EPSILON)
-        * end_square;
-    let tangent = select(contact.near, tangent_near, tangent_far);
-    // γ²β less half of what the two zeros have in common
-    let outer = |k: f64, tangent: f64| {
-        let h = k - gamma * y;
-        h + sqrt(greater(h * h - gamma * gamma * tangent, 0.0))
-    };
-    let (touching, launch) = (outer(rest, tangent), outer(1.0, r2));
-    let level = sqrt(greater(beyond, 0.0));
-    let sum = level + rise.abs();
-    let opposite = (rise < 0.0) == low;
-    let ended = -sense * select(opposite, before_wall / sum, sum);
+    // zeros where P² is the tangent at β = 0, at the end of all motion, at the touching point
+    let r2 = x * x + y * y;
+    let h = 1.0 - gamma * y;
+    let launch = h + sqrt(greater(h * h - gamma * gamma * r2, 0.0));
+    let level = -sense * sqrt(greater(beyond, 0.0));
+    let ended = level - rise;
     let ended_fall = ended * (end * mu);
     let fall = if low {
-        greater(tangent / touching, greater(r2 / launch, ended_fall))
+        // less what the difference may have lost
+        let touching = (contact.fall + mu * below) * (1.0 - 8.0 * f64::EPSILON)
+            - mu * sqrt(greater(2.0 * up * below, 0.0));
+        greater(touching, greater(r2 / launch, ended_fall))
     } else {
-        let first = launch * mu * mu;
-        let ended_fall = greater(ended_fall, 0.0);
-        select(ended_fall < first, ended_fall, first)
+        least(greater(ended_fall, 0.0), launch * mu * mu)
     };
 
-    // by the approximation at the touching point
-    let up = y + gamma * contact.fall;
-    let excess_near = (way - x) * (way + x) - up * up;
-    let excess_far = (beyond - rest * (2.0 - rest)) * end_square - up * up;
-    let excess = select(contact.near, excess_near, excess_far);
-    let model = Model::new(target, way, rest, rest - gamma * up, excess);
+    // by the approximation at the touching point, where e⁻ʷ = γ (Y + γβ) for the highest target
+    let excess = below * (2.0 * up - below);
+    let model = Model::new(target, way, rest, gamma * below, excess);
     // inside, the root is the greater of the two
     let denominator = model.slope + sense * sqrt(greater(model.discriminant(), 0.0));
     let theta = -model.excess / denominator;
@@ -148,8 +127,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     // the time of λ²β = w − 1 + e⁻ʷ
     let fall = greater(fall, 1e-290);
     let root = sqrt(2.0 * fall);
-    let q = lambda * root;
-    let q = select(q < 1e30, q, 1e30);
+    let q = least(lambda * root, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
     let t = lambda * fall + way;
     let end = ended * lambda * mu;
@@ -158,11 +136,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     }
     let change = straight(target, t, way, fall);
     let last = select(inside, contact.t, f64::INFINITY);
-    Start {
-        t: select(t + change < last, t + change, last),
-        level,
-        end,
-    }
+    Start { t: least(t + change, last), level, end }
 }
 
 /// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
