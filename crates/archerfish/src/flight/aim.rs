@@ -88,10 +88,10 @@ impl Target {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
         let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
-        let (x, y) = (within(mu * x, FAR), within(mu * y, DEEP));
         let lambda = epsilon * gamma;
         let end = DoubleDouble::from(1.0).div_double(lambda);
-        let share = two_product(lambda, x);
+        let share = two_product(lambda, mu * x);
+        let (x, y) = (within(mu * x, FAR), within(mu * y, DEEP));
         Target {
             x,
             y,
@@ -192,13 +192,17 @@ impl Target {
         let divisor = select(contact.close, 1.0, root);
         let inverse = 1.0 / (denominator * divisor);
         let theta = numerator * divisor * inverse;
-        // the rest of the fourth order
-        let loss = lambda * rest;
-        let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest) * model.curvature);
-        let square = theta * theta;
-        let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
-        let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
-        let theta = theta + select(small, correction, 0.0);
+        // the rest of the fourth order, which matters where low arcs are nearly straight
+        let theta = if sense == LOW {
+            let loss = lambda * rest;
+            let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest) * model.curvature);
+            let square = theta * theta;
+            let correction = (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
+            let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
+            theta + select(small, correction, 0.0)
+        } else {
+            theta
+        };
         // where γ is tiny, so may the rise be
         let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
         (fast_two_sum(up.hi * LARGE, moved), self.x * LARGE, on, there)
