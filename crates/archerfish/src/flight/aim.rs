@@ -131,10 +131,11 @@ impl Target {
         let excess = select(near, excess_near, excess_far);
         let model = Model::new(self, way, rest, rest - gamma * up, excess);
         let root = sqrt(greater(model.discriminant(), 0.0));
+        // on the other side of the greatest H the zero is the farther one
         let beyond = sense * model.slope < 0.0;
         let outer = model.slope.abs() + root;
-        let inverse = 1.0 / (select(beyond, model.bend, outer) * way);
-        let share = sense * (select(beyond, outer, -model.excess) * inverse); // θ/P
+        let numerator = sense * select(beyond, outer, -model.excess);
+        let share = numerator / (select(beyond, model.bend, outer) * way); // θ/P
         let series = 0.5
             - share
                 * ((1.0 / 6.0) + (1.0 / 3.0) * rest
@@ -186,7 +187,7 @@ impl Target {
         let least = model.slope * model.slope * 1e-18;
         let root = sqrt(select(on, 0.0, greater(discriminant, least)));
 
-        let beyond = contact.close | (sense * model.slope < 0.0);
+        let beyond = contact.close;
         let numerator = select(beyond, sense * root - model.slope, -sense * model.excess);
         let denominator = select(beyond, model.bend, sense * model.slope + root);
         let divisor = select(contact.close, 1.0, root);
@@ -205,7 +206,7 @@ impl Target {
         };
         // where γ is tiny, so may the rise be
         let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
-        (fast_two_sum(up.hi * LARGE, moved), self.x * LARGE, on, there)
+        (fast_two_sum(up.hi * LARGE, moved), self.x.abs() * LARGE, on, there)
     }
 }
 
@@ -259,13 +260,13 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
     let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
     let enlarged = |a: f64| a * MOST * MORE;
-    let (ahead, above) = (enlarged(x), enlarged(y));
-    let fallen = 0.5 * (ahead * x + above * y);
+    let (ahead, above) = (enlarged(x.abs()), enlarged(y));
+    let fallen = 0.5 * (ahead * x.abs() + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above).add_double(fallen), up);
-    let across = select(near, ahead, across);
+    // the launch point itself counts as straight ahead
+    let across = select(near, greater(ahead, 1e-300), across);
 
-    let turn = angle_all_round(up, across);
-    let turn = select((x == 0.0) & (y == 0.0) & (sense == LOW), 0.0, turn);
+    let turn = angle_all_round(up, across, x < 0.0);
     let inside = there & contact.reached & (y > f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
     select(inside & (turn.abs() <= core::f64::consts::TAU), turn, f64::NAN)

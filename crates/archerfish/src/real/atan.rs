@@ -40,12 +40,13 @@ pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> f64 {
     turn(y, DoubleDouble::select(left, x.neg(), x), left, 0)
 }
 
-/// As [`angle`], on below the horizon from 0 and from π: in (−π/2, 3π/2).
+/// The angle of the direction (±x, y), x ≥ 0 and leading to the left or not, that goes on below the
+/// horizon from 0 and from π: in [−π/2, 3π/2].
 #[inline(always)]
-pub(crate) fn angle_all_round(y: DoubleDouble, x: f64) -> f64 {
+pub(crate) fn angle_all_round(y: DoubleDouble, x: f64, left: bool) -> f64 {
     let down = y.hi.to_bits() & SIGN;
     let up = DoubleDouble { hi: flipped(y.hi, down), lo: flipped(y.lo, down) };
-    turn(up, DoubleDouble::from(x.abs()), x < 0.0, down)
+    turn(up, DoubleDouble::from(x), left, down)
 }
 
 /// `a` with its sign changed where `sign` has the bit of one.
