@@ -193,17 +193,6 @@ impl Target {
         let divisor = select(contact.close, 1.0, root);
         let inverse = 1.0 / (denominator * divisor);
         let theta = numerator * divisor * inverse;
-        // the rest of the fourth order, which matters where low arcs are nearly straight
-        let theta = if sense == LOW {
-            let loss = lambda * rest;
-            let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest) * model.curvature);
-            let square = theta * theta;
-            let correction = (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
-            let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
-            theta + select(small, correction, 0.0)
-        } else {
-            theta
-        };
         // where γ is tiny, so may the rise be
         let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
         (fast_two_sum(up.hi * LARGE, moved), self.x.abs() * LARGE, on, there)
@@ -216,8 +205,6 @@ pub(super) struct Model {
     pub slope: f64,
     pub bend: f64,
     unit: f64,
-    /// `λ e⁻ʷ + γ² P`
-    curvature: f64,
 }
 
 impl Model {
@@ -234,7 +221,6 @@ impl Model {
             slope: unit * first + 0.5 * (loss * excess),
             bend: 2.0 * (loss * first) - unit * second,
             unit,
-            curvature,
         }
     }
 

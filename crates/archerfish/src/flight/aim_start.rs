@@ -134,7 +134,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     if !low {
         return Start { t, level, end };
     }
-    let change = straight(target, t, way, fall);
+    let change = straight(target, t, fall);
     let last = select(inside, contact.t, f64::INFINITY);
     Start { t: least(t + change, last), level, end }
 }
@@ -142,7 +142,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
 /// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
 /// where all shots have fallen to.
 #[inline(always)]
-fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
+fn straight(target: &Target, t: f64, fall: f64) -> f64 {
     let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
     let up = y + gamma * fall;
     let distance = sqrt(x * x + up * up);
@@ -154,10 +154,10 @@ fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
     let f = select(k == 0.0, -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
     let value = t + logarithm * end;
-    let unit = distance * rest;
-    let slope = unit - up * gamma * way;
-    let change = -(value * unit) / slope;
+    // on the way the shot comes to be as far as R: that is the better mean of P
+    let slope = rest - gamma * up;
+    let change = -(value * rest) / slope;
     // less than that the logarithm and t are not sure of
-    let sure = (slope > 0.125 * unit) & (rest > 1e-300) & (value < t * -0.0078125);
+    let sure = (slope > 0.125 * rest) & (rest > 1e-300) & (value < t * -0.0009765625);
     select(sure, change, 0.0)
 }
