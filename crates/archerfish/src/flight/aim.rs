@@ -241,14 +241,14 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
 
     // at the end of all motion the way is 1/λ
     let ended = (start.end > RELAXED) & !on;
-    let level = two_product(start.level, target.end);
-    let up = DoubleDouble::select(ended, level.scale(LARGE), up);
+    let level = two_product(start.level, target.end * LARGE);
+    let up = DoubleDouble::select(ended, level, up);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
     let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
     let enlarged = |a: f64| a * MOST * MORE;
     let (ahead, above) = (enlarged(x.abs()), enlarged(y));
     let fallen = 0.5 * (ahead * x.abs() + above * y);
-    let up = DoubleDouble::select(near, DoubleDouble::from(above).add_double(fallen), up);
+    let up = DoubleDouble::select(near, DoubleDouble::from(above + fallen), up);
     // the launch point itself counts as straight ahead
     let across = select(near, greater(ahead, 1e-300), across);
 

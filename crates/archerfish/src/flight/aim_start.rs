@@ -98,8 +98,6 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
 
     // zeros where P² is the tangent at β = 0, at the end of all motion, at the touching point
     let r2 = x * x + y * y;
-    let h = 1.0 - gamma * y;
-    let launch = h + sqrt(greater(h * h - gamma * gamma * r2, 0.0));
     let level = -sense * sqrt(greater(beyond, 0.0));
     let ended = level - rise;
     let ended_fall = ended * (end * mu);
@@ -107,8 +105,11 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
         // less what the difference may have lost
         let touching = (contact.fall + mu * below) * (1.0 - 8.0 * f64::EPSILON)
             - mu * sqrt(greater(2.0 * up * below, 0.0));
-        greater(touching, greater(r2 / launch, ended_fall))
+        // r²/2h with h = 1 − γY, and less
+        greater(touching, greater(r2 * (0.5 + 0.5 * gamma * y), ended_fall))
     } else {
+        let h = 1.0 - gamma * y;
+        let launch = h + sqrt(greater(h * h - gamma * gamma * r2, 0.0));
         least(greater(ended_fall, 0.0), launch * mu * mu)
     };
 
