@@ -96,34 +96,35 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     let low = sense == LOW;
     let Contact { way, rest, up, below, .. } = *contact;
 
-    // zeros where P² is the tangent at β = 0, at the end of all motion, at the touching point
-    let r2 = x * x + y * y;
+    // the zero where P² is as at the end of all motion
     let level = -sense * sqrt(greater(beyond, 0.0));
     let ended = level - rise;
     let ended_fall = ended * (end * mu);
-    let fall = if low {
-        // less what the difference may have lost
-        let touching = (contact.fall + mu * below) * (1.0 - 8.0 * f64::EPSILON)
-            - mu * sqrt(greater(2.0 * up * below, 0.0));
-        // r²/2h with h = 1 − γY, and less
-        greater(touching, greater(r2 * (0.5 + 0.5 * gamma * y), ended_fall))
-    } else {
-        let h = 1.0 - gamma * y;
-        let launch = h + sqrt(greater(h * h - gamma * gamma * r2, 0.0));
-        least(greater(ended_fall, 0.0), launch * mu * mu)
-    };
-
-    // by the approximation at the touching point, where e⁻ʷ = γ (Y + γβ) for the highest target
-    let excess = below * (2.0 * up - below);
-    let model = Model::new(target, way, rest, gamma * below, excess);
-    // inside, the root is the greater of the two
-    let denominator = model.slope + sense * sqrt(greater(model.discriminant(), 0.0));
-    let theta = -model.excess / denominator;
+    // H and half its derivative at the touching point, where e⁻ʷ = γ (Y + γβ) for the highest target
+    // (a little more, so that rounding does not lead in from the other side)
+    let twice = up * (2.0 * (1.0 + 8.0 * f64::EPSILON));
+    let (excess, slope) = (below * (twice - below), gamma * below);
     let inside = excess > 0.0;
-    // as far as three derivatives see; before the launch there is nothing
-    let reach = if low { way * (0.4 + 0.85 * (lambda * way)) } else { 1.25 * end };
-    let neighbouring = inside & (theta.abs() < reach);
-    let fall = select(neighbouring, contact.fall + way * theta, fall);
+    let fall = if low {
+        // before it P² lies under its parabola of there, behind under its tangent
+        let bend = gamma * gamma * way + select(inside, lambda * rest, 0.0);
+        let first = way * slope;
+        let root = sqrt(greater(first * first + way * bend * excess, 0.0));
+        // less what the difference may have lost
+        let touching =
+            contact.fall * (1.0 - 8.0 * f64::EPSILON) - excess * way / (first + root);
+        // with the tangent of the launch r²/2h, h = 1 − γY, and more
+        let launch = (x * x + y * y) * (0.5 + 0.5 * gamma * y);
+        greater(touching, greater(launch, ended_fall))
+    } else {
+        let touching = contact.fall + mu * (below + sqrt(greater(2.0 * up * below, 0.0)));
+        let fall = least(greater(ended_fall, 0.0), touching);
+        // by the approximation at the touching point, as far as three derivatives see
+        let model = Model::new(target, way, rest, slope, excess);
+        let theta = model.excess / (sqrt(greater(model.discriminant(), 0.0)) - model.slope);
+        let neighbouring = inside & (theta.abs() < 1.25 * end);
+        select(neighbouring, contact.fall + way * theta, fall)
+    };
 
     // the time of λ²β = w − 1 + e⁻ʷ
     let fall = greater(fall, 1e-290);
