@@ -9,9 +9,7 @@
 //! derivatives of H, lead on; the second has its residual in sums of two doubles and corrects for
 //! the fourth derivative. The angle is that of (X, Y + γβ).
 
-use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, two_product, two_square,
-};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
 use super::super::real::{
     Exponential, angle_all_round, nearest_integer, polynomial, power_and_inverse, power_of_two,
 };
@@ -146,12 +144,7 @@ impl Target {
     /// `Y + γβ` at the zero, t being near, and X, by the same factor; whether they are on the
     /// envelope, and whether there is a zero.
     #[inline(always)]
-    fn direction(
-        &self,
-        sense: f64,
-        t: f64,
-        contact: &Contact,
-    ) -> (DoubleDouble, f64, bool, bool) {
+    fn direction(&self, sense: f64, t: f64, contact: &Contact) -> (DoubleDouble, f64, bool, bool) {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
         let exponential = Exponential::of(-least(w.hi, ENDED));
@@ -187,12 +180,11 @@ impl Target {
         let least = model.slope * model.slope * 1e-18;
         let root = sqrt(select(on, 0.0, greater(discriminant, least)));
 
-        let beyond = contact.close;
-        let numerator = select(beyond, sense * root - model.slope, -sense * model.excess);
-        let denominator = select(beyond, model.bend, sense * model.slope + root);
-        let divisor = select(contact.close, 1.0, root);
-        let inverse = 1.0 / (denominator * divisor);
-        let theta = numerator * divisor * inverse;
+        // to the greatest H, and on; or to the nearer zero
+        let close = contact.close;
+        let numerator = select(close, sense * root - model.slope, -sense * model.excess);
+        let denominator = select(close, model.bend, sense * model.slope + root);
+        let theta = numerator / denominator;
         // where γ is tiny, so may the rise be
         let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
         (fast_two_sum(up.hi * LARGE, moved), self.x.abs() * LARGE, on, there)

@@ -8,16 +8,10 @@
 use super::super::real::{Logarithm, exponent_and_significand, polynomial, select, sqrt};
 use super::aim::{LOW, Model, Target, greater, least};
 
-// aim_log: minimax on [-0.293, 0.4143], degree 5,
-// weighted error 7.46e-6: reference/coefficients.py aim_log
-const AIM_LOG: [f64; 6] = [
-    1.0000055461317217,
-    -0.4999139121064647,
-    0.3324815187847988,
-    -0.2535939339813336,
-    0.22170489975637603,
-    -0.1466367434233358,
-];
+// aim_log: minimax on [-0.293, 0.4143], degree 3,
+// weighted error 0.000354: reference/coefficients.py aim_log
+const AIM_LOG: [f64; 4] =
+    [0.9996743312695143, -0.501591927514514, 0.3554190584986198, -0.23271145405795013];
 // aim_way: 1.22 of the error that can be borne: reference/coefficients.py aim_way
 const AIM_WAY_TOP: [f64; 4] = [0.9998747653, 1.104133531, -0.01452716116, 0.1165223651];
 const AIM_WAY_BOTTOM: [f64; 4] = [1.0, 0.4311548783, 0.04313676296, 0.1048330231];
@@ -111,8 +105,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
         let first = way * slope;
         let root = sqrt(greater(first * first + way * bend * excess, 0.0));
         // less what the difference may have lost
-        let touching =
-            contact.fall * (1.0 - 8.0 * f64::EPSILON) - excess * way / (first + root);
+        let touching = contact.fall * (1.0 - 8.0 * f64::EPSILON) - excess * way / (first + root);
         // with the tangent of the launch r²/2h, h = 1 − γY, and more
         let launch = (x * x + y * y) * (0.5 + 0.5 * gamma * y);
         greater(touching, greater(launch, ended_fall))
@@ -160,6 +153,6 @@ fn straight(target: &Target, t: f64, fall: f64) -> f64 {
     let slope = rest - gamma * up;
     let change = -(value * rest) / slope;
     // less than that the logarithm and t are not sure of
-    let sure = (slope > 0.125 * rest) & (rest > 1e-300) & (value < t * -0.0009765625);
+    let sure = (slope > 0.125 * rest) & (rest > 1e-300) & (value < t * -0.001953125);
     select(sure, change, 0.0)
 }
