@@ -1,20 +1,20 @@
 //! The launch angle that leads through a target.
 //!
 //! Method: at some time the target lies on the circle of all shots: with P = t E₁, β = t² E₂,
-//! `H(β) = P² − X² − (Y + γβ)² = 0`. Lengths are in units in which the greater of 1 and 1/ε is 1,
-//! so that ε from 0 to 10³⁰⁰ is one case (γ = 1/ε or 1, w = λt with λ = 1 or ε). P² is a concave
-//! function of β and the rest a parabola: its two zeros are the two arcs. The touching point of the
-//! envelope lies between the two where they are close together, and begins both
+//! `H(β) = P² − X² − (Y + γβ)² = 0`. The unit of length is 1/μ, μ = 1/γ being the power of two below
+//! the greater of 1 and ε, so that ε from 0 to 10³⁰⁰ is one case and X and Y have no error (w = λt,
+//! λ = γε). P² is a concave function of β and the rest a parabola: its two zeros are the two arcs. The
+//! touching point of the envelope lies between the two where they are close together, and begins both
 //! (`aim_start.rs`). Two steps to the zero of (a + bθ + cθ²)/(1 + eθ), which has the first three
-//! derivatives of H, lead on; the second has its residual in sums of two doubles and corrects for
-//! the fourth derivative. The angle is that of (X, Y + γβ).
+//! derivatives of H, lead on; the second has its residual in sums of two doubles. The angle is that
+//! of (X, Y + γβ).
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
 use super::super::real::{
     Exponential, angle_all_round, nearest_integer, polynomial, power_and_inverse, power_of_two,
 };
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
-use super::aim_start::{Contact, Start, start};
+use super::aim_start::{Contact, start};
 use super::domain::is_drag;
 use super::relaxation::RELAXED;
 
@@ -39,11 +39,13 @@ const ENDED: f64 = 700.0;
 /// direction by what the last digit does.
 const FAR: f64 = 1e35;
 const DEEP: f64 = 1e70;
-/// What enlarges tiny targets: 2¹⁰⁰⁰ and 2⁷⁰.
+/// What enlarges tiny targets, 2¹⁰⁰⁰ and 2⁷⁰, and directions, 2⁴⁰⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
-const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
+/// The greatest power of two with a normal inverse.
+const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
+
 /// `a` and `b`, whichever is greater; `b` where `a` is NaN.
 #[inline(always)]
 pub(super) fn greater(a: f64, b: f64) -> f64 {
@@ -66,7 +68,7 @@ fn within(a: f64, bound: f64) -> f64 {
 pub(super) struct Target {
     pub x: f64,
     pub y: f64,
-    /// the unit of length is 1/μ, μ = 1/γ a power of two
+    /// `1/γ`, a power of two
     pub mu: f64,
     pub lambda: f64,
     pub gamma: f64,
@@ -104,11 +106,11 @@ impl Target {
         }
     }
 
-    /// The step from t towards the zero; there β is to be taken for `fall`, if that is a number.
+    /// The time after a step from t towards the zero.
     #[inline(always)]
-    fn step(&self, sense: f64, start: &Start) -> f64 {
+    fn step(&self, sense: f64, t: f64) -> f64 {
         let (lambda, gamma) = (self.lambda, self.gamma);
-        let w = least(lambda * start.t, ENDED);
+        let w = least(lambda * t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
@@ -117,9 +119,8 @@ impl Target {
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
         let far = (w - (1.0 - rest)) * self.end_square.hi;
-        let fall = select(near, start.t * start.t * q, far);
-        let way = start.t - lambda * fall;
-        let t = start.t;
+        let fall = select(near, t * t * q, far);
+        let way = t - lambda * fall;
 
         let (x, y) = (self.x, self.y);
         let up = y + gamma * fall;
@@ -228,7 +229,7 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let target = Target::new(x, y, epsilon);
     let contact = Contact::of(&target);
     let start = start(&target, &contact, sense);
-    let t = select(contact.close, contact.t, target.step(sense, &start));
+    let t = select(contact.close, contact.t, target.step(sense, start.t));
     let (up, across, on, there) = target.direction(sense, t, &contact);
 
     // at the end of all motion the way is 1/λ

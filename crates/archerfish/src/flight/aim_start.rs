@@ -1,9 +1,11 @@
 //! Where aiming begins: the touching point of the envelope, and a time near that of an arc.
 //!
 //! P² lies under its tangents, at the launch, at the touching point and at the end of all motion;
-//! each in place of P² moves the two zeros of H outwards. Where the zeros are near the touching
-//! point, the approximation to H there gives them. For the low arc, which in strong drag is nearly
-//! straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
+//! each in place of P² moves the two zeros of H outwards. At the touching point, d above the target,
+//! e⁻ʷ = γU and P² = X² + U², so that H there is d (2U − d) and half its derivative γd: nothing
+//! cancels in either. Before it P² lies under its parabola of there, too. For the high arc, where
+//! the zeros are near, the approximation to H there gives them. For the low arc, which in strong
+//! drag is nearly straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
 
 use super::super::real::{Logarithm, exponent_and_significand, polynomial, select, sqrt};
 use super::aim::{LOW, Model, Target, greater, least};
