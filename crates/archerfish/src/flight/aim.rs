@@ -164,7 +164,10 @@ impl Target {
         let way = fast_two_sum(t, -slowed.hi);
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
-        let up = fall.scale(gamma).add_double(self.y);
+        // where γ is tiny, so may the rise be
+        let scaled_gamma = gamma * LARGE;
+        let scaled_up = fall.scale(scaled_gamma).add_double(self.y * LARGE);
+        let up = scaled_up.scale(1.0 / LARGE);
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
         let (way_square, up_square, x_square) = (way.squared(), up.squared(), two_square(self.x));
@@ -186,9 +189,8 @@ impl Target {
         let numerator = select(close, sense * root - model.slope, -sense * model.excess);
         let denominator = select(close, model.bend, sense * model.slope + root);
         let theta = numerator / denominator;
-        // where γ is tiny, so may the rise be
-        let moved = up.lo * LARGE + gamma * LARGE * (way.hi * theta);
-        (fast_two_sum(up.hi * LARGE, moved), self.x.abs() * LARGE, on, there)
+        let scaled_up = fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma * (way.hi * theta));
+        (scaled_up, self.x.abs() * LARGE, on, there)
     }
 }
 
