@@ -146,7 +146,7 @@ FITS = {
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
     "aim_exp": Fit(aim_exp, -HALF_LN2, HALF_LN2, 6, lambda r: r * r),
-    "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 5, one),
+    "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 3, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),

@@ -1,20 +1,20 @@
 //! The launch angle that leads through a target.
 //!
 //! Method: at some time the target lies on the circle of all shots: with P = t E₁, β = t² E₂,
-//! `H(β) = P² − X² − (Y + γβ)² = 0`. Lengths are in units in which the greater of 1 and 1/ε is 1,
-//! so that ε from 0 to 10³⁰⁰ is one case (γ = 1/ε or 1, w = λt with λ = 1 or ε). P² is a concave
-//! function of β and the rest a parabola: its two zeros are the two arcs. The touching point of the
-//! envelope lies between the two where they are close together, and begins both
+//! `H(β) = P² − X² − (Y + γβ)² = 0`. The unit of length is 1/μ, μ = 1/γ being the power of two below
+//! the greater of 1 and ε, so that ε from 0 to 10³⁰⁰ is one case and X and Y have no error (w = λt,
+//! λ = γε). P² is a concave function of β and the rest a parabola: its two zeros are the two arcs. The
+//! touching point of the envelope lies between the two where they are close together, and begins both
 //! (`aim_start.rs`). Two steps to the zero of (a + bθ + cθ²)/(1 + eθ), which has the first three
-//! derivatives of H, lead on; the second has its residual in sums of two doubles and corrects for
-//! the fourth derivative. The angle is that of (X, Y + γβ).
+//! derivatives of H, lead on; the second has its residual in sums of two doubles. The angle is that
+//! of (X, Y + γβ).
 
-use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
+use super::super::real::{
+    Exponential, angle_all_round, nearest_integer, polynomial, power_and_inverse, power_of_two,
 };
-use super::super::real::{Exponential, angle, nearest_integer, polynomial, power_of_two};
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
-use super::aim_start::{Contact, Start, start};
+use super::aim_start::{Contact, start};
 use super::domain::is_drag;
 use super::relaxation::RELAXED;
 
@@ -39,13 +39,12 @@ const ENDED: f64 = 700.0;
 /// direction by what the last digit does.
 const FAR: f64 = 1e35;
 const DEEP: f64 = 1e70;
-/// What enlarges tiny targets: 2¹⁰⁰⁰ and 2⁷⁰.
+/// What enlarges tiny targets, 2¹⁰⁰⁰ and 2⁷⁰, and directions, 2⁴⁰⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
-/// 2π
-const WHOLE: DoubleDouble =
-    DoubleDouble { hi: core::f64::consts::TAU, lo: f64::from_bits(0x3cb1_a626_3314_5c07) };
+/// The greatest power of two with a normal inverse.
+const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 
 /// `a` and `b`, whichever is greater; `b` where `a` is NaN.
 #[inline(always)]
@@ -53,18 +52,29 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
     select(a > b, a, b)
 }
 
+/// `a` and `b`, whichever is less; `b` where `a` is NaN.
+#[inline(always)]
+pub(super) fn least(a: f64, b: f64) -> f64 {
+    select(a < b, a, b)
+}
+
+/// `a`, or the nearer of the two bounds.
+#[inline(always)]
+fn within(a: f64, bound: f64) -> f64 {
+    least(greater(a, -bound), bound)
+}
+
 /// A target and the drag, in the units of this file.
 pub(super) struct Target {
-    pub x: DoubleDouble,
-    pub y: DoubleDouble,
-    pub epsilon: f64,
-    /// what lengths are multiplied with
+    pub x: f64,
+    pub y: f64,
+    /// `1/γ`, a power of two
     pub mu: f64,
     pub lambda: f64,
-    pub gamma: DoubleDouble,
+    pub gamma: f64,
     /// `1/λ`
-    pub end: DoubleDouble,
-    pub end_square: f64,
+    pub end: f64,
+    pub end_square: DoubleDouble,
     /// `λx` and `λy`
     pub share: DoubleDouble,
     pub rise: f64,
@@ -77,39 +87,30 @@ impl Target {
     fn new(x: f64, y: f64, epsilon: f64) -> Self {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
-        let inverse = 1.0 / epsilon;
-        let rest = rest_of_product(1.0, epsilon, inverse) * inverse;
-        let strong = epsilon > 1.0;
-        let mu = select(strong, epsilon, 1.0);
-        let one_or_inverse =
-            |one: bool| DoubleDouble { hi: select(one, 1.0, inverse), lo: select(one, 0.0, rest) };
-        let end = one_or_inverse(strong);
-        let bounded = |value: DoubleDouble, bound: f64| {
-            let hi = select(value.hi > -bound, value.hi, -bound);
-            DoubleDouble { hi: select(hi < bound, hi, bound), lo: value.lo }
-        };
-        let share = two_product(epsilon, x);
-        let rise = bounded(DoubleDouble::from(epsilon * y), DEEP).hi;
+        let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
+        let lambda = epsilon * gamma;
+        let end = DoubleDouble::from(1.0).div_double(lambda);
+        let share = two_product(lambda, mu * x);
+        let (x, y) = (within(mu * x, FAR), within(mu * y, DEEP));
         Target {
-            x: bounded(two_product(mu, x), FAR),
-            y: bounded(two_product(mu, y), DEEP),
-            epsilon,
+            x,
+            y,
             mu,
-            lambda: select(strong, 1.0, epsilon),
-            gamma: one_or_inverse(!strong),
-            end,
-            end_square: end.hi * end.hi,
+            lambda,
+            gamma,
+            end: end.hi,
+            end_square: end.squared(),
             share,
-            rise,
+            rise: lambda * y,
             beyond: ((1.0 - share.hi) - share.lo) * ((1.0 + share.hi) + share.lo),
         }
     }
 
-    /// The step from t towards the zero; there β is to be taken for `fall`, if that is a number.
+    /// The time after a step from t towards the zero.
     #[inline(always)]
-    fn step(&self, sense: f64, start: &Start) -> f64 {
-        let (lambda, gamma) = (self.lambda, self.gamma.hi);
-        let w = select(lambda * start.t < ENDED, lambda * start.t, ENDED);
+    fn step(&self, sense: f64, t: f64) -> f64 {
+        let (lambda, gamma) = (self.lambda, self.gamma);
+        let w = least(lambda * t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
@@ -117,33 +118,23 @@ impl Target {
         let near = n == 0.0;
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
-        let far = (w - (1.0 - rest)) * self.end_square;
-        let fall = select(near, start.t * start.t * q, far);
-        let way = start.t - lambda * fall;
-        // on to where β is as wanted
-        let inverse = 1.0 / way;
-        let lacking = select(start.moved, 0.0, start.fall - fall);
-        let share = lacking * inverse * inverse;
-        let later = lacking
-            * inverse
-            * (1.0 - rest * share * (0.5 - share * ((1.0 / 6.0) + (1.0 / 3.0) * rest)));
-        let farther = later - lambda * lacking;
-        let (t, way, fall) = (start.t + later, way + farther, fall + lacking);
-        let off = lambda * later;
-        let rest = rest - rest * off * (1.0 - off * (0.5 - off * (1.0 / 6.0)));
+        let far = (w - (1.0 - rest)) * self.end_square.hi;
+        let fall = select(near, t * t * q, far);
+        let way = t - lambda * fall;
 
-        let (x, y) = (self.x.hi, self.y.hi);
+        let (x, y) = (self.x, self.y);
         let up = y + gamma * fall;
         let gone = rest * (1.0 + lambda * way);
-        let excess_far = (self.beyond - gone) * self.end_square - up * up;
+        let excess_far = (self.beyond - gone) * self.end_square.hi - up * up;
         let excess_near = (way - x) * (way + x) - up * up;
         let excess = select(near, excess_near, excess_far);
         let model = Model::new(self, way, rest, rest - gamma * up, excess);
         let root = sqrt(greater(model.discriminant(), 0.0));
+        // on the other side of the greatest H the zero is the farther one
         let beyond = sense * model.slope < 0.0;
         let outer = model.slope.abs() + root;
-        let inverse = 1.0 / (select(beyond, model.bend, outer) * way);
-        let share = sense * (select(beyond, outer, -model.excess) * inverse); // θ/P
+        let numerator = sense * select(beyond, outer, -model.excess);
+        let share = numerator / (select(beyond, model.bend, outer) * way); // θ/P
         let series = 0.5
             - share
                 * ((1.0 / 6.0) + (1.0 / 3.0) * rest
@@ -154,16 +145,10 @@ impl Target {
     /// `Y + γβ` at the zero, t being near, and X, by the same factor; whether they are on the
     /// envelope, and whether there is a zero.
     #[inline(always)]
-    fn direction(
-        &self,
-        sense: f64,
-        t: f64,
-        contact: &Contact,
-    ) -> (DoubleDouble, DoubleDouble, bool, bool) {
-        let (lambda, gamma) = (self.lambda, self.gamma.hi);
+    fn direction(&self, sense: f64, t: f64, contact: &Contact) -> (DoubleDouble, f64, bool, bool) {
+        let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
-        let argument = select(w.hi < ENDED, w.hi, ENDED);
-        let exponential = Exponential::of(-argument);
+        let exponential = Exponential::of(-least(w.hi, ENDED));
         let power = power_of_two(exponential.n);
         let significand = exponential.loose_significand();
         let (high, low) =
@@ -171,7 +156,7 @@ impl Target {
         let gone = fast_two_sum(1.0, -high); // short of `low`
         let far = fast_two_sum(w.hi, -gone.hi);
         let far = fast_two_sum(far.hi, far.lo + (w.lo - (gone.lo - low)));
-        let far = far.times(self.end).times(self.end);
+        let far = far.times(self.end_square);
         let near = fast_two_sum(0.5, exponential.r * exponential.bend);
         let near = near.times(two_square(t));
         let fall = DoubleDouble::select(exponential.n == 0.0, near, far);
@@ -180,43 +165,32 @@ impl Target {
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
         // where γ is tiny, so may the rise be
-        let tiny = (sense == LOW) & (self.epsilon > 1e150);
-        let (large, back) = (select(tiny, LARGE, 1.0), select(tiny, 1.0 / LARGE, 1.0));
-        let scaled_gamma = self.gamma.scale(large);
-        let scaled_up = self.y.scale(large).add(fall.times(scaled_gamma));
-        let up = scaled_up.scale(back);
+        let scaled_gamma = gamma * LARGE;
+        let scaled_up = fall.scale(scaled_gamma).add_double(self.y * LARGE);
+        let up = scaled_up.scale(1.0 / LARGE);
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
-        let (way_square, up_square, x_square) = (way.squared(), up.squared(), self.x.squared());
+        let (way_square, up_square, x_square) = (way.squared(), up.squared(), two_square(self.x));
         let ahead = fast_two_sum(way_square.hi, -x_square.hi);
         let excess =
             (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
         let model = Model::new(self, way.hi, rest, rest - gamma * up.hi, excess);
         // H at its greatest, times `unit`, by what y is off the envelope
         let discriminant = model.discriminant();
-        let digits = model.unit * -model.bend * contact.up * (self.y.hi.abs() + contact.up);
+        let digits = model.unit * -model.bend * contact.up * (self.y.abs() + contact.up);
         let on = contact.close & (discriminant < digits * (3.0 * f64::EPSILON));
         let there = !contact.close | (discriminant > digits * (-5.0 * f64::EPSILON));
         // where no zero is in sight yet, a moderate step
         let least = model.slope * model.slope * 1e-18;
         let root = sqrt(select(on, 0.0, greater(discriminant, least)));
 
-        let beyond = contact.close | (sense * model.slope < 0.0);
-        let numerator = select(beyond, sense * root - model.slope, -sense * model.excess);
-        let denominator = select(beyond, model.bend, sense * model.slope + root);
-        let divisor = select(contact.close, 1.0, root);
-        let inverse = 1.0 / (denominator * divisor);
-        let theta = numerator * divisor * inverse;
-        // the rest of the fourth order
-        let loss = lambda * rest;
-        let fourth = loss * (4.0 * loss - 3.0 * (1.0 + 2.0 * rest) * model.curvature);
-        let square = theta * theta;
-        let correction = sense * (-1.0 / 24.0) * fourth * (square * square) * denominator * inverse;
-        let small = !contact.close & (correction.abs() < 0.25 * theta.abs());
-        let theta = theta + select(small, correction, 0.0);
-        let scaled_up =
-            fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma.hi * (way.hi * theta));
-        (scaled_up, self.x.scale(large), on, there)
+        // to the greatest H, and on; or to the nearer zero
+        let close = contact.close;
+        let numerator = select(close, sense * root - model.slope, -sense * model.excess);
+        let denominator = select(close, model.bend, sense * model.slope + root);
+        let theta = numerator / denominator;
+        let scaled_up = fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma * (way.hi * theta));
+        (scaled_up, self.x.abs() * LARGE, on, there)
     }
 }
 
@@ -226,8 +200,6 @@ pub(super) struct Model {
     pub slope: f64,
     pub bend: f64,
     unit: f64,
-    /// `λ e⁻ʷ + γ² P`
-    curvature: f64,
 }
 
 impl Model {
@@ -235,7 +207,7 @@ impl Model {
     #[inline(always)]
     pub fn new(target: &Target, way: f64, rest: f64, slope: f64, excess: f64) -> Self {
         let loss = target.lambda * rest;
-        let curvature = loss + target.gamma.hi * target.gamma.hi * way;
+        let curvature = loss + target.gamma * target.gamma * way;
         let second = way * curvature;
         let unit = 3.0 * second;
         let first = way * slope;
@@ -244,7 +216,6 @@ impl Model {
             slope: unit * first + 0.5 * (loss * excess),
             bend: 2.0 * (loss * first) - unit * second,
             unit,
-            curvature,
         }
     }
 
@@ -258,33 +229,26 @@ impl Model {
 #[inline(always)]
 fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let target = Target::new(x, y, epsilon);
-    let contact = Contact::of(&target, x, y);
+    let contact = Contact::of(&target);
     let start = start(&target, &contact, sense);
-    let t = select(contact.close, contact.t, target.step(sense, &start));
+    let t = select(contact.close, contact.t, target.step(sense, start.t));
     let (up, across, on, there) = target.direction(sense, t, &contact);
 
     // at the end of all motion the way is 1/λ
     let ended = (start.end > RELAXED) & !on;
-    let level = DoubleDouble::from(-sense * start.level);
+    let level = two_product(start.level, target.end * LARGE);
     let up = DoubleDouble::select(ended, level, up);
-    let across = DoubleDouble::select(ended, target.share, across);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
-    let near = (sense == LOW) & (target.x.hi.abs() + target.y.hi.abs() < 1e-30);
+    let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
     let enlarged = |a: f64| a * MOST * MORE;
-    let (ahead, above) = (enlarged(x), enlarged(y));
-    let fallen = 0.5 * (ahead * x + above * y);
-    let up = DoubleDouble::select(near, DoubleDouble::from(above).add_double(fallen), up);
-    let across = DoubleDouble::select(near, DoubleDouble::from(ahead), across);
+    let (ahead, above) = (enlarged(x.abs()), enlarged(y));
+    let fallen = 0.5 * (ahead * x.abs() + above * y);
+    let up = DoubleDouble::select(near, DoubleDouble::from(above + fallen), up);
+    // the launch point itself counts as straight ahead
+    let across = select(near, greater(ahead, 1e-300), across);
 
-    let down = up.hi < 0.0;
-    let turn = angle(DoubleDouble::select(down, up.neg(), up), across);
-    let turn = DoubleDouble::select(down, turn.neg(), turn);
-    // downwards and backwards the angle goes on from π
-    let whole = DoubleDouble::select(down & (x < 0.0), WHOLE, DoubleDouble::from(0.0));
-    let sum = fast_two_sum(whole.hi, turn.hi);
-    let turn = sum.hi + (sum.lo + (turn.lo + whole.lo));
-    let turn = select((x == 0.0) & (y == 0.0) & (sense == LOW), 0.0, turn);
-    let inside = there & contact.below & (y > f64::NEG_INFINITY) & is_drag(epsilon);
+    let turn = angle_all_round(up, across, x < 0.0);
+    let inside = there & contact.reached & (y > f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
     select(inside & (turn.abs() <= core::f64::consts::TAU), turn, f64::NAN)
 }

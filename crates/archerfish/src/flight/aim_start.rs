@@ -1,23 +1,19 @@
 //! Where aiming begins: the touching point of the envelope, and a time near that of an arc.
 //!
 //! P² lies under its tangents, at the launch, at the touching point and at the end of all motion;
-//! each in place of P² moves the two zeros of H outwards. Where the zeros are near the touching
-//! point, the approximation to H there gives them. For the low arc, which in strong drag is nearly
-//! straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
+//! each in place of P² moves the two zeros of H outwards. At the touching point, d above the target,
+//! e⁻ʷ = γU and P² = X² + U², so that H there is d (2U − d) and half its derivative γd: nothing
+//! cancels in either. Before it P² lies under its parabola of there, too. For the high arc, where
+//! the zeros are near, the approximation to H there gives them. For the low arc, which in strong
+//! drag is nearly straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
 
 use super::super::real::{Logarithm, exponent_and_significand, polynomial, select, sqrt};
-use super::aim::{LOW, Model, Target, greater};
+use super::aim::{LOW, Model, Target, greater, least};
 
-// aim_log: minimax on [-0.293, 0.4143], degree 5,
-// weighted error 7.46e-6: reference/coefficients.py aim_log
-const AIM_LOG: [f64; 6] = [
-    1.0000055461317217,
-    -0.4999139121064647,
-    0.3324815187847988,
-    -0.2535939339813336,
-    0.22170489975637603,
-    -0.1466367434233358,
-];
+// aim_log: minimax on [-0.293, 0.4143], degree 3,
+// weighted error 0.000354: reference/coefficients.py aim_log
+const AIM_LOG: [f64; 4] =
+    [0.9996743312695143, -0.501591927514514, 0.3554190584986198, -0.23271145405795013];
 // aim_way: 1.22 of the error that can be borne: reference/coefficients.py aim_way
 const AIM_WAY_TOP: [f64; 4] = [0.9998747653, 1.104133531, -0.01452716116, 0.1165223651];
 const AIM_WAY_BOTTOM: [f64; 4] = [1.0, 0.4311548783, 0.04313676296, 0.1048330231];
@@ -31,33 +27,24 @@ pub(super) struct Contact {
     rest: f64,
     /// its rise without gravity
     pub up: f64,
-    /// whether w is small
-    near: bool,
-    /// `2 e⁻ʷ (w − 1 + e⁻ʷ)`
-    twice: f64,
-    /// `2 e⁻ʷ β/P²`
-    ratio: f64,
+    /// how far the target is below
+    below: f64,
     /// whether the target is so close under or over the envelope that both arcs begin here
     pub close: bool,
-    /// whether the target is not so far above
-    pub below: bool,
+    /// whether the target is not farther above than that
+    pub reached: bool,
 }
 
 impl Contact {
     #[inline(always)]
-    pub fn of(target: &Target, x: f64, y: f64) -> Self {
-        let Target { epsilon, mu, lambda, beyond, .. } = *target;
-        let (gamma, end) = (target.gamma.hi, target.end.hi);
-        // sin α = e/(εx² + √(x² + e)), p = 1/(sin α + ε), with one division
-        let size = x.abs();
-        let root = select(size > 1e150, size, sqrt(size * size + beyond));
-        let bottom = target.share.hi * x + root;
-        let sum = beyond + epsilon * bottom;
-        let inverse = 1.0 / (bottom * sum);
-        let p = bottom * (bottom * inverse);
-        let rest = beyond * (bottom * inverse);
-        let up = mu * (beyond * (sum * inverse) * p);
-        let (v, way) = (epsilon * p, mu * p);
+    pub fn of(target: &Target) -> Self {
+        let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
+        // of the optimal shot sin α = (1 − λ²X²)/(λγX² + √(γ²X² + 1 − λ²X²)), P = 1/(λ + γ sin α)
+        let across = gamma * x;
+        let bottom = target.share.hi * across + sqrt(across * across + beyond);
+        let inverse = 1.0 / (lambda * bottom + gamma * beyond);
+        let (way, up) = (bottom * inverse, beyond * inverse);
+        let (v, rest) = (lambda * way, gamma * up);
 
         let (k, m) = exponent_and_significand(rest);
         let near = k == 0.0;
@@ -68,12 +55,11 @@ impl Contact {
         let artanh_ratio = 1.0 + s * s * rho;
         let w = -(k * core::f64::consts::LN_2 + 2.0 * (s * artanh_ratio));
         let psi = (1.0 - s * (1.0 - s) * rho) * inverse;
-        let far = w - v;
-        let fall = select(near, way * way * psi, far * target.end_square);
+        let fall = select(near, way * way * psi, (w - v) * target.end_square.hi);
         let t = select(near, way * (2.0 * (artanh_ratio * inverse)), w * end);
 
         let height = up - gamma * fall;
-        let below = height - mu * y;
+        let below = height - y;
         let noise = (8.0 * f64::EPSILON) * height.abs();
         let band = way * (lambda * rest + gamma * gamma * way) * 2e-9;
         let band = select(band < up * up * 0.0156, band, up * up * 0.0156) + noise * up;
@@ -84,11 +70,9 @@ impl Contact {
             fall,
             rest,
             up,
-            near,
-            twice: 2.0 * rest * far,
-            ratio: 2.0 * rest * psi,
+            below,
             close: above < band,
-            below: (above > -band) & (beyond > 0.0),
+            reached: (above > -band) & (beyond > 0.0),
         }
     }
 }
@@ -96,9 +80,6 @@ impl Contact {
 /// A time near that of the arc.
 pub(super) struct Start {
     pub t: f64,
-    /// β then, unless `moved`
-    pub fall: f64,
-    pub moved: bool,
     /// the rise when all motion has ended
     pub level: f64,
     /// λ²β of the arc that has ended
@@ -107,83 +88,60 @@ pub(super) struct Start {
 
 #[inline(always)]
 pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
-    let Target { mu, lambda, beyond, rise, .. } = *target;
-    let (gamma, end) = (target.gamma.hi, target.end.hi);
-    let (x, y) = (target.x.hi, target.y.hi);
+    let Target { x, y, mu, lambda, gamma, end, rise, beyond, .. } = *target;
     let low = sense == LOW;
-    let before_wall = beyond - rise * rise;
-    let r2 = x * x + y * y;
+    let Contact { way, rest, up, below, .. } = *contact;
 
-    // X² + Y² less the height of the tangent at β = 0, from below
-    let Contact { way, rest, .. } = *contact;
-    let tangent_near = r2 - way * way * (1.0 - contact.ratio + 16.0 * f64::EPSILON);
-    let tangent_far = (rest * (2.0 - rest) + contact.twice - before_wall - 16.0 * f64::EPSILON)
-        * target.end_square;
-    let tangent = select(contact.near, tangent_near, tangent_far);
-    // γ²β less half of what the two zeros have in common
-    let outer = |k: f64, tangent: f64| {
-        let h = k - gamma * y;
-        h + sqrt(greater(h * h - gamma * gamma * tangent, 0.0))
-    };
-    let (touching, launch) = (outer(rest, tangent), outer(1.0, r2));
-    let level = sqrt(greater(beyond, 0.0));
-    let sum = level + rise.abs();
-    let opposite = (rise < 0.0) == low;
-    let ended = -sense * select(opposite, before_wall / sum, sum);
+    // the zero where P² is as at the end of all motion
+    let level = -sense * sqrt(greater(beyond, 0.0));
+    let ended = level - rise;
     let ended_fall = ended * (end * mu);
-    let fall = if low {
-        greater(tangent / touching, greater(r2 / launch, ended_fall))
-    } else {
-        let first = launch * mu * mu;
-        let ended_fall = greater(ended_fall, 0.0);
-        select(ended_fall < first, ended_fall, first)
-    };
-
-    // by the approximation at the touching point
-    let up = y + gamma * contact.fall;
-    let excess_near = (way - x) * (way + x) - up * up;
-    let excess_far = (beyond - rest * (2.0 - rest)) * target.end_square - up * up;
-    let excess = select(contact.near, excess_near, excess_far);
-    let model = Model::new(target, way, rest, rest - gamma * up, excess);
-    // inside, the root is the greater of the two
-    let denominator = model.slope + sense * sqrt(greater(model.discriminant(), 0.0));
-    let theta = -model.excess / denominator;
+    // H and half its derivative at the touching point, where e⁻ʷ = γ (Y + γβ) for the highest target
+    // (a little more, so that rounding does not lead in from the other side)
+    let twice = up * (2.0 * (1.0 + 8.0 * f64::EPSILON));
+    let (excess, slope) = (below * (twice - below), gamma * below);
     let inside = excess > 0.0;
-    // as far as three derivatives see; before the launch there is nothing
-    let reach = if low { way * (0.4 + 0.85 * (lambda * way)) } else { 1.25 * end };
-    let neighbouring = inside & (theta.abs() < reach);
-    let fall = select(neighbouring, contact.fall + way * theta, fall);
+    let fall = if low {
+        // before it P² lies under its parabola of there, behind under its tangent
+        let bend = gamma * gamma * way + select(inside, lambda * rest, 0.0);
+        let first = way * slope;
+        let root = sqrt(greater(first * first + way * bend * excess, 0.0));
+        // less what the difference may have lost
+        let touching = contact.fall * (1.0 - 8.0 * f64::EPSILON) - excess * way / (first + root);
+        // with the tangent of the launch r²/2h, h = 1 − γY, and more
+        let launch = (x * x + y * y) * (0.5 + 0.5 * gamma * y);
+        greater(touching, greater(launch, ended_fall))
+    } else {
+        let touching = contact.fall + mu * (below + sqrt(greater(2.0 * up * below, 0.0)));
+        let fall = least(greater(ended_fall, 0.0), touching);
+        // by the approximation at the touching point, as far as three derivatives see
+        let model = Model::new(target, way, rest, slope, excess);
+        let theta = model.excess / (sqrt(greater(model.discriminant(), 0.0)) - model.slope);
+        let neighbouring = inside & (theta.abs() < 1.25 * end);
+        select(neighbouring, contact.fall + way * theta, fall)
+    };
 
     // the time of λ²β = w − 1 + e⁻ʷ
     let fall = greater(fall, 1e-290);
     let root = sqrt(2.0 * fall);
-    let q = lambda * root;
-    let q = select(q < 1e30, q, 1e30);
+    let q = least(lambda * root, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
     let t = lambda * fall + way;
-    let end = ended * target.epsilon;
+    let end = ended * lambda * mu;
     if !low {
-        return Start { t, fall, moved: false, level, end };
+        return Start { t, level, end };
     }
-    let change = straight(target, t, way, fall);
+    let change = straight(target, t, fall);
     let last = select(inside, contact.t, f64::INFINITY);
-    Start {
-        t: select(t + change < last, t + change, last),
-        fall: fall + change * (way + 0.5 * (1.0 - lambda * way) * change),
-        moved: change.abs() > 0.03125 * t,
-        level,
-        end,
-    }
+    Start { t: least(t + change, last), level, end }
 }
 
 /// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
 /// where all shots have fallen to.
 #[inline(always)]
-fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
-    let Target { lambda, beyond, .. } = *target;
-    let gamma = target.gamma.hi;
-    let x = target.x.hi;
-    let up = target.y.hi + gamma * fall;
+fn straight(target: &Target, t: f64, fall: f64) -> f64 {
+    let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
+    let up = y + gamma * fall;
     let distance = sqrt(x * x + up * up);
     let share = lambda * distance;
     let rest_square = beyond - (lambda * up) * (lambda * up); // 1 − (λR)²
@@ -192,11 +150,11 @@ fn straight(target: &Target, t: f64, way: f64, fall: f64) -> f64 {
     let (k, m) = exponent_and_significand(rest);
     let f = select(k == 0.0, -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
-    let value = t + logarithm * target.end.hi;
-    let unit = distance * rest;
-    let slope = unit - up * gamma * way;
-    let change = -(value * unit) / slope;
+    let value = t + logarithm * end;
+    // on the way the shot comes to be as far as R: that is the better mean of P
+    let slope = rest - gamma * up;
+    let change = -(value * rest) / slope;
     // less than that the logarithm and t are not sure of
-    let sure = (slope > 0.125 * unit) & (rest > 1e-300) & (value < t * -0.0078125);
+    let sure = (slope > 0.125 * rest) & (rest > 1e-300) & (value < t * -0.001953125);
     select(sure, change, 0.0)
 }

@@ -28,7 +28,7 @@ fn moderate(epsilon: f64) -> f64 {
     // where ε² is next to nothing so is the change
     let change = select(epsilon < 1e-8, 0.0, residual / (p * p * slowness));
     let sine_square = sine_square.add_double(change * (slowness - 2.0 * sine_square.hi));
-    angle(sine_square.sqrt(), one.sub(sine_square).sqrt()).round()
+    angle(sine_square.sqrt(), one.sub(sine_square).sqrt())
 }
 
 /// For ε > 2⁴⁰.

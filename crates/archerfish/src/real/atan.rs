@@ -38,34 +38,57 @@ const SMALL_ATAN_TAIL: [f64; 10] = [
 ];
 const TAN_EIGHTH_PI: f64 = 0.41421356237309503;
 
-/// π/4 in two parts; the first has 50 bits, so that 3 multiplies it exactly.
+/// π/4 in two parts; the first has 50 bits, so that numbers up to 6 multiply it exactly.
 const QUARTER_PI: DoubleDouble = DoubleDouble {
     hi: f64::from_bits(0x3fe9_21fb_5444_2d18),
     lo: f64::from_bits(0x3c81_a626_3314_5c07),
 };
 
+const SIGN: u64 = 1 << 63;
+
 /// The angle in [0, π] of the direction (x, y), y ≥ 0, not both zero, neither infinite and their
-/// sum neither over- nor underflowing: to 2⁻⁵⁷ of itself.
+/// sum neither over- nor underflowing.
 #[inline(always)]
-pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
+pub(crate) fn angle(y: DoubleDouble, x: DoubleDouble) -> f64 {
     let left = x.hi < 0.0;
-    let across = DoubleDouble::select(left, x.neg(), x);
-    let steep = y.hi > across.hi;
-    let less = DoubleDouble::select(steep, across, y);
-    let more = DoubleDouble::select(steep, y, across);
+    turn(y, DoubleDouble::select(left, x.neg(), x), left, 0)
+}
+
+/// The angle of the direction (±x, y), x ≥ 0 and leading to the left or not, that goes on below the
+/// horizon from 0 and from π: in [−π/2, 3π/2].
+#[inline(always)]
+pub(crate) fn angle_all_round(y: DoubleDouble, x: f64, left: bool) -> f64 {
+    let down = y.hi.to_bits() & SIGN;
+    let up = DoubleDouble { hi: flipped(y.hi, down), lo: flipped(y.lo, down) };
+    turn(up, DoubleDouble::from(x), left, down)
+}
+
+/// `a` with its sign changed where `sign` has the bit of one.
+#[inline(always)]
+fn flipped(a: f64, sign: u64) -> f64 {
+    f64::from_bits(a.to_bits() ^ sign)
+}
+
+/// The angle of the direction (x, y), neither negative, mirrored at the horizontal where `down` has
+/// the bit of a sign, and then at the upright if `left`.
+#[inline(always)]
+fn turn(y: DoubleDouble, x: DoubleDouble, left: bool, down: u64) -> f64 {
+    let steep = y.hi > x.hi;
+    let less = DoubleDouble::select(steep, x, y);
+    let more = DoubleDouble::select(steep, y, x);
     let diagonal = less.hi > TAN_EIGHTH_PI * more.hi;
-    let numerator = DoubleDouble::select(diagonal, less.minus(more), less);
-    let denominator = DoubleDouble::select(diagonal, less.add_positives(more), more);
+    let numerator = DoubleDouble::select(diagonal, more.neg().add_smaller(less), less);
+    let denominator = DoubleDouble::select(diagonal, more.add_smaller(less), more);
     let t = numerator.div(denominator);
     let z = t.hi * t.hi;
     let tail = t.hi * z * polynomial(z, &ATAN_TAIL);
     // eighths of a turn passed, and the sense in which the rest is added
     let eighths = select(diagonal, 1.0, 0.0);
-    let eighths = select(steep, 2.0 - eighths, eighths);
+    let eighths = flipped(select(steep, 2.0 - eighths, eighths), down);
     let eighths = select(left, 4.0 - eighths, eighths);
-    let sense = select(steep != left, -1.0, 1.0);
-    let sum = fast_two_sum(eighths * QUARTER_PI.hi, sense * t.hi);
-    fast_two_sum(sum.hi, sum.lo + (eighths * QUARTER_PI.lo + sense * (t.lo * (1.0 - z) + tail)))
+    let back = down ^ if steep != left { SIGN } else { 0 };
+    let sum = fast_two_sum(eighths * QUARTER_PI.hi, flipped(t.hi, back));
+    sum.hi + (sum.lo + (eighths * QUARTER_PI.lo + flipped(t.lo * (1.0 - z) + tail, back)))
 }
 
 /// `arctan t − t` for t² up to 1/8.
@@ -80,7 +103,7 @@ pub(crate) fn atan_bend(t: f64) -> f64 {
 pub fn atan(x: f64) -> f64 {
     // beyond 2¹⁰⁰ the result is π/2 to the last bit
     let size = select(x.abs() > 1e30, 1e30, x.abs());
-    let regular = angle(DoubleDouble::from(size), DoubleDouble::from(1.0)).round();
+    let regular = angle(DoubleDouble::from(size), DoubleDouble::from(1.0));
     let regular = select(x.abs() < 1e-300, x, regular.copysign(x));
     select(x.is_nan(), x, regular)
 }
@@ -101,7 +124,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     let half = super::nearest_integer(0.5 * exponent);
     let scale = |a: f64| a * power_of_two(-half) * power_of_two(half - exponent);
     let scaled =
-        angle(DoubleDouble::from(scale(up)), DoubleDouble::from(scale(across).copysign(x))).round();
+        angle(DoubleDouble::from(scale(up)), DoubleDouble::from(scale(across).copysign(x)));
     // a direction this close to the positive x axis is its own angle, and may be subnormal
     let regular = select(x > 0.0 && up < 1e-280 * across, up / across, scaled);
     select(x.is_nan() || y.is_nan(), f64::NAN, regular.copysign(y))

@@ -23,7 +23,7 @@ pub use log1pmx::log1pmx;
 pub use sqrt::sqrt;
 pub use trigonometric::{cos, sin, sin_cos, tan};
 
-pub(crate) use atan::{angle, atan_bend};
+pub(crate) use atan::{angle, angle_all_round, atan_bend};
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 pub(crate) use polynomial::polynomial;
