@@ -136,8 +136,8 @@ $(wasm): $(sources)
 	@rustup target add wasm32-unknown-unknown 2> /dev/null || { echo "make wasm needs rustup," \
 		"which fetches Rust's library for WebAssembly: install it (https://rustup.rs)" >&2; exit 1; }
 	@echo "Compiling the kernels to WebAssembly"
-	@RUSTFLAGS="-C target-feature=+simd128" cargo build --quiet --locked --package archerfish-wasm \
-		--profile wasm --target wasm32-unknown-unknown --target-dir target
+	@RUSTFLAGS="-C target-feature=+simd128 -C link-arg=--compress-relocations" cargo build --quiet \
+		--locked --package archerfish-wasm --profile wasm --target wasm32-unknown-unknown --target-dir target
 	@cp target/wasm32-unknown-unknown/wasm/archerfish.wasm $@
 
 web/node_modules/.package-lock.json: web/package.json web/package-lock.json

@@ -8,63 +8,57 @@
 use std::arch::wasm32;
 use std::{ptr, slice};
 
-use archerfish::batch::{
-    BINARY, BINARY_FOUR, BINARY_PAIR, BinaryBatch, BinaryFourBatch, BinaryPairBatch, TERNARY,
-    TernaryBatch, UNARY, UnaryBatch,
-};
+use archerfish::batch::{self, BINARY, BINARY_FOUR, BINARY_PAIR, Kernel, TERNARY, UNARY};
 
-/// A function of the tables, whatever the number of its arguments and results.
-#[derive(Clone, Copy)]
-enum Kernel {
-    Unary(UnaryBatch),
-    Binary(BinaryBatch),
-    Ternary(TernaryBatch),
-    BinaryPair(BinaryPairBatch),
-    BinaryFour(BinaryFourBatch),
+type Table = &'static [(&'static str, Kernel)];
+
+/// The tables, with the numbers of arguments and of results of their functions.
+const TABLES: [(Table, usize, usize); 5] =
+    [(UNARY, 1, 1), (BINARY, 2, 1), (TERNARY, 3, 1), (BINARY_PAIR, 2, 2), (BINARY_FOUR, 2, 4)];
+
+/// A function, with its name and the numbers of its arguments and of its results.
+struct Function {
+    name: &'static str,
+    inputs: usize,
+    outputs: usize,
+    kernel: Kernel,
 }
 
-/// Name and function of a number from 0 on: the tables, one after the other.
-fn find(number: usize) -> Option<(&'static str, Kernel)> {
-    let unary = UNARY.iter().map(|&(name, function)| (name, Kernel::Unary(function)));
-    let binary = BINARY.iter().map(|&(name, function)| (name, Kernel::Binary(function)));
-    let ternary = TERNARY.iter().map(|&(name, function)| (name, Kernel::Ternary(function)));
-    let pair = BINARY_PAIR.iter().map(|&(name, function)| (name, Kernel::BinaryPair(function)));
-    let four = BINARY_FOUR.iter().map(|&(name, function)| (name, Kernel::BinaryFour(function)));
-    unary.chain(binary).chain(ternary).chain(pair).chain(four).nth(number)
+/// The function of a number from 0 on: the tables, one after the other.
+#[inline(never)]
+fn find(number: usize) -> Option<Function> {
+    let mut before = 0;
+    for (table, inputs, outputs) in TABLES {
+        if let Some(&(name, kernel)) = table.get(number - before) {
+            return Some(Function { name, inputs, outputs, kernel });
+        }
+        before += table.len();
+    }
+    None
 }
 
 /// Address of the name (ASCII) of a function; 0 past the last.
 #[unsafe(no_mangle)]
 pub extern "C" fn name(number: usize) -> *const u8 {
-    find(number).map_or(ptr::null(), |(name, _)| name.as_ptr())
+    find(number).map_or(ptr::null(), |function| function.name.as_ptr())
 }
 
 /// Length of that name.
 #[unsafe(no_mangle)]
 pub extern "C" fn name_length(number: usize) -> usize {
-    find(number).map_or(0, |(name, _)| name.len())
+    find(number).map_or(0, |function| function.name.len())
 }
 
 /// How many arguments it takes.
 #[unsafe(no_mangle)]
 pub extern "C" fn inputs(number: usize) -> usize {
-    match find(number) {
-        Some((_, Kernel::Unary(_))) => 1,
-        Some((_, Kernel::Binary(_) | Kernel::BinaryPair(_) | Kernel::BinaryFour(_))) => 2,
-        Some((_, Kernel::Ternary(_))) => 3,
-        None => 0,
-    }
+    find(number).map_or(0, |function| function.inputs)
 }
 
 /// How many results it has; 0 past the last function.
 #[unsafe(no_mangle)]
 pub extern "C" fn outputs(number: usize) -> usize {
-    match find(number) {
-        Some((_, Kernel::BinaryPair(_))) => 2,
-        Some((_, Kernel::BinaryFour(_))) => 4,
-        Some(_) => 1,
-        None => 0,
-    }
+    find(number).map_or(0, |function| function.outputs)
 }
 
 /// Room for `count` doubles, all 0, for ever: what a page needs is allocated once. Null where there
@@ -80,12 +74,12 @@ pub extern "C" fn allocate(count: usize) -> *mut f64 {
     }
 }
 
-/// Fills the columns of results with the values of a function at the arguments; those beyond its
-/// numbers of both are not looked at.
+/// Fills the columns of results with the values of a function at the arguments; what is given beyond
+/// its number of arguments makes no difference, and beyond its number of results is not looked at.
 ///
 /// # Safety
-/// Each address is one of [`allocate`]'s, with room for `count` doubles, and each of the results is
-/// none of the others.
+/// Each address is one of [`allocate`]'s, with room for `count` doubles, and each of the results that
+/// the function has is none of the others.
 #[unsafe(no_mangle)]
 // Addresses as numbers are all that JavaScript can hand over; an array of them would be a copy.
 #[allow(clippy::too_many_arguments)]
@@ -104,16 +98,15 @@ pub unsafe extern "C" fn evaluate(
     let of = |x| unsafe { slice::from_raw_parts(x, count) };
     // SAFETY: the caller's promise.
     let to = |out| unsafe { slice::from_raw_parts_mut(out, count) };
-    match find(number) {
-        Some((_, Kernel::Unary(function))) => function(of(x0), to(out0)),
-        Some((_, Kernel::Binary(function))) => function(of(x0), of(x1), to(out0)),
-        Some((_, Kernel::Ternary(function))) => function(of(x0), of(x1), of(x2), to(out0)),
-        Some((_, Kernel::BinaryPair(function))) => {
-            function(of(x0), of(x1), to(out0), to(out1));
+    if let Some(function) = find(number) {
+        let inputs = [of(x0), of(x1), of(x2)];
+        match function.outputs {
+            1 => batch::evaluate(function.kernel, inputs, &mut [to(out0)]),
+            2 => batch::evaluate(function.kernel, inputs, &mut [to(out0), to(out1)]),
+            _ => {
+                let outputs = &mut [to(out0), to(out1), to(out2), to(out3)];
+                batch::evaluate(function.kernel, inputs, outputs);
+            }
         }
-        Some((_, Kernel::BinaryFour(function))) => {
-            function(of(x0), of(x1), to(out0), to(out1), to(out2), to(out3));
-        }
-        None => {}
     }
 }

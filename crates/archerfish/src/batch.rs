@@ -10,17 +10,20 @@ pub use crate::dispatch::isa_name;
 use crate::pairs::batch;
 
 /// A function of one number over slices.
+#[cfg(not(target_arch = "wasm32"))]
 pub type UnaryBatch = fn(&[f64], &mut [f64]);
 /// A function of two numbers over slices.
+#[cfg(not(target_arch = "wasm32"))]
 pub type BinaryBatch = fn(&[f64], &[f64], &mut [f64]);
 /// A function of three numbers over slices.
+#[cfg(not(target_arch = "wasm32"))]
 pub type TernaryBatch = fn(&[f64], &[f64], &[f64], &mut [f64]);
-/// Two functions of the same two numbers over slices.
+
+// In a browser all are of one type, for one loop.
 #[cfg(target_arch = "wasm32")]
-pub type BinaryPairBatch = fn(&[f64], &[f64], &mut [f64], &mut [f64]);
-/// Four functions of the same two numbers over slices.
+use crate::pairs::{Kernel as UnaryBatch, Kernel as BinaryBatch, Kernel as TernaryBatch};
 #[cfg(target_arch = "wasm32")]
-pub type BinaryFourBatch = fn(&[f64], &[f64], &mut [f64], &mut [f64], &mut [f64], &mut [f64]);
+pub use crate::pairs::{Kernel, evaluate};
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
@@ -72,11 +75,11 @@ table! { TERNARY: TernaryBatch => (out);
 // A page draws them side by side, and what they share is most of the work.
 
 #[cfg(target_arch = "wasm32")]
-table! { BINARY_PAIR: BinaryPairBatch => (d1, d2);
+table! { BINARY_PAIR: Kernel => (d1, d2);
     locus_launch_angle_derivatives(theta, eps) = motion::locus_launch_angle_derivatives;
 }
 
 #[cfg(target_arch = "wasm32")]
-table! { BINARY_FOUR: BinaryFourBatch => (x, y, elevation, curvature);
+table! { BINARY_FOUR: Kernel => (x, y, elevation, curvature);
     apex(alpha, eps) = motion::apex;
 }

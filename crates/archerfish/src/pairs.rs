@@ -1,51 +1,84 @@
-//! Slice functions in a browser: two elements at a time, whatever the length.
+//! All functions once more, from the same files, for a browser: over two elements at a time.
+//!
+//! A page fetches the file, so that code is dear. Natively every kernel is one straight line for the
+//! compiler to vectorise; here the vectors are written down (`pair.rs`), and the parts that kernels
+//! have in common are functions, which they call.
 
-type Pair = [f64; 2];
+// what no kernel needs, as `tan`, and files of two modules, on purpose
+#![allow(dead_code, unused_imports, clippy::duplicate_mod)]
 
-/// Leaves the pairs of elements to `compute`, and a last single element as a pair with a zero.
-///
-/// A loop of unknown length would be compiled twice, for pairs and for a last element, and a page has
-/// to fetch that.
-#[inline(never)]
-pub(crate) fn in_pairs<const INPUTS: usize, const OUTPUTS: usize>(
-    inputs: [&[f64]; INPUTS],
-    mut outputs: [&mut [f64]; OUTPUTS],
-    compute: fn([&[Pair]; INPUTS], [&mut [Pair]; OUTPUTS]),
-) {
-    let count = outputs[0].len();
-    let (pairs, single) = (count / 2, count % 2 == 1);
-    compute(
-        inputs.map(|x| &x.as_chunks().0[..pairs]),
-        outputs.each_mut().map(|out| &mut out.as_chunks_mut().0[..pairs]),
-    );
-    if single {
-        let last = inputs.map(|x| [[x[count - 1], 0.0]]);
-        let mut values = [[[0.0; 2]]; OUTPUTS];
-        compute(last.each_ref().map(|x| &x[..]), values.each_mut().map(|out| &mut out[..]));
-        for (out, [[value, _]]) in outputs.iter_mut().zip(values) {
-            out[count - 1] = value;
+pub(crate) use crate::pair::{Pair as Number, PairBits as Integer, PairMask as Mask};
+
+/// A constant among the numbers.
+pub(crate) const fn constant(x: f64) -> Number {
+    Number::of(x)
+}
+
+macro_rules! operand {
+    () => {
+        impl Into<$crate::pairs::Number>
+    };
+}
+
+#[path = "flight/mod.rs"]
+pub mod flight;
+#[path = "lambert/mod.rs"]
+pub mod lambert;
+#[path = "motion/mod.rs"]
+pub mod motion;
+#[path = "real/mod.rs"]
+pub mod real;
+
+/// A kernel at two elements: of three numbers, the last of which it need not look at, and with room
+/// for four results, of which it may fill the first alone. (By C's rules vectors are handed over in
+/// registers.)
+#[allow(improper_ctypes_definitions)]
+pub type Kernel = extern "C" fn(Number, Number, Number, &mut [Number; 4]);
+
+/// Fills slices with the values of a kernel at others, two elements at a time; a last single element
+/// goes as a pair with itself. All slices are of one length.
+pub fn evaluate(kernel: Kernel, inputs: [&[f64]; 3], outputs: &mut [&mut [f64]]) {
+    let mut values = [constant(0.0); 4];
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = inputs.map(<[f64]>::as_chunks);
+    for (i, ((x, y), z)) in x.iter().zip(y).zip(z).enumerate() {
+        kernel((*x).into(), (*y).into(), (*z).into(), &mut values);
+        for (out, value) in outputs.iter_mut().zip(values) {
+            if let Some(out) = out.as_chunks_mut().0.get_mut(i) {
+                *out = value.into();
+            }
+        }
+    }
+    if let ([x], [y], [z]) = (x_rest, y_rest, z_rest) {
+        kernel((*x).into(), (*y).into(), (*z).into(), &mut values);
+        for (out, value) in outputs.iter_mut().zip(values) {
+            if let Some(out) = out.last_mut() {
+                [*out, _] = value.into();
+            }
         }
     }
 }
 
-/// Defines a function that fills slices with the values of a kernel at others.
+/// Defines a [`Kernel`].
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => ($($out:ident),+)) => {
-        $(#[$doc])*
-        pub fn $name($($x: &[f64],)+ $($out: &mut [f64]),+) {
-            // as arguments of a function, slices are known not to overlap
-            fn compute($($x: &[[f64; 2]],)+ $($out: &mut [[f64; 2]]),+) {
-                // known to be even and not to wrap: else a loop for a last element is compiled as well
-                let n = 2 * [$($out.len()),+][0].min(1 << 28);
-                $(let $x = &$x.as_flattened()[..n];)+
-                $(let $out = &mut $out.as_flattened_mut()[..n];)+
-                for i in 0..n {
-                    ($($out[i]),+) = $crate::$module::$kernel($($x[i]),+);
-                }
-            }
-            $crate::pairs::in_pairs([$($x),+], [$($out),+], |[$($x),+], [$($out),+]| {
-                compute($($x,)+ $($out),+)
-            });
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident => $out:tt) => {
+        $crate::pairs::batch! { $name(x, _y, _z) = $module::$kernel(x) => $out }
+    };
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident => $out:tt) => {
+        $crate::pairs::batch! { $name(x, y, _z) = $module::$kernel(x, y) => $out }
+    };
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident, $z:ident => $out:tt) => {
+        $crate::pairs::batch! { $name(x, y, z) = $module::$kernel(x, y, z) => $out }
+    };
+    ($name:ident($x:ident, $y:ident, $z:ident) = $module:ident::$kernel:ident $arguments:tt => ($($out:ident),+)) => {
+        #[allow(improper_ctypes_definitions)]
+        extern "C" fn $name(
+            $x: $crate::pairs::Number,
+            $y: $crate::pairs::Number,
+            $z: $crate::pairs::Number,
+            results: &mut [$crate::pairs::Number; 4],
+        ) {
+            let [$($out,)+ ..] = results;
+            ($(*$out),+) = $crate::pairs::$module::$kernel $arguments;
         }
     };
 }

@@ -11,7 +11,8 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
 use super::super::real::{
-    Exponential, angle_all_round, nearest_integer, polynomial, power_and_inverse, power_of_two,
+    Exponential, Mask, Number, Order, angle_all_round, nearest_integer, polynomial,
+    power_and_inverse, power_of_two,
 };
 use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
 use super::aim_start::{Contact, start};
@@ -48,43 +49,45 @@ const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 
 /// `a` and `b`, whichever is greater; `b` where `a` is NaN.
 #[inline(always)]
-pub(super) fn greater(a: f64, b: f64) -> f64 {
-    select(a > b, a, b)
+pub(super) fn greater(a: Number, b: operand!()) -> Number {
+    let b: Number = b.into();
+    select(a.is_above(b), a, b)
 }
 
 /// `a` and `b`, whichever is less; `b` where `a` is NaN.
 #[inline(always)]
-pub(super) fn least(a: f64, b: f64) -> f64 {
-    select(a < b, a, b)
+pub(super) fn least(a: Number, b: operand!()) -> Number {
+    let b: Number = b.into();
+    select(a.is_below(b), a, b)
 }
 
 /// `a`, or the nearer of the two bounds.
 #[inline(always)]
-fn within(a: f64, bound: f64) -> f64 {
+fn within(a: Number, bound: f64) -> Number {
     least(greater(a, -bound), bound)
 }
 
 /// A target and the drag, in the units of this file.
 pub(super) struct Target {
-    pub x: f64,
-    pub y: f64,
+    pub x: Number,
+    pub y: Number,
     /// `1/γ`, a power of two
-    pub mu: f64,
-    pub lambda: f64,
-    pub gamma: f64,
+    pub mu: Number,
+    pub lambda: Number,
+    pub gamma: Number,
     /// `1/λ`
-    pub end: f64,
+    pub end: Number,
     pub end_square: DoubleDouble,
     /// `λx` and `λy`
     pub share: DoubleDouble,
-    pub rise: f64,
+    pub rise: Number,
     /// `1 − (λx)²`
-    pub beyond: f64,
+    pub beyond: Number,
 }
 
 impl Target {
     #[inline(always)]
-    fn new(x: f64, y: f64, epsilon: f64) -> Self {
+    fn new(x: Number, y: Number, epsilon: Number) -> Self {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
         let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
@@ -108,14 +111,14 @@ impl Target {
 
     /// The time after a step from t towards the zero.
     #[inline(always)]
-    fn step(&self, sense: f64, t: f64) -> f64 {
+    fn step(&self, sense: f64, t: Number) -> Number {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = least(lambda * t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
         let q = polynomial(r, &AIM_EXP);
-        let near = n == 0.0;
+        let near = n.equals(0.0);
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
         let far = (w - (1.0 - rest)) * self.end_square.hi;
@@ -131,7 +134,7 @@ impl Target {
         let model = Model::new(self, way, rest, rest - gamma * up, excess);
         let root = sqrt(greater(model.discriminant(), 0.0));
         // on the other side of the greatest H the zero is the farther one
-        let beyond = sense * model.slope < 0.0;
+        let beyond = (sense * model.slope).is_below(0.0);
         let outer = model.slope.abs() + root;
         let numerator = sense * select(beyond, outer, -model.excess);
         let share = numerator / (select(beyond, model.bend, outer) * way); // θ/P
@@ -145,7 +148,12 @@ impl Target {
     /// `Y + γβ` at the zero, t being near, and X, by the same factor; whether they are on the
     /// envelope, and whether there is a zero.
     #[inline(always)]
-    fn direction(&self, sense: f64, t: f64, contact: &Contact) -> (DoubleDouble, f64, bool, bool) {
+    fn direction(
+        &self,
+        sense: f64,
+        t: Number,
+        contact: &Contact,
+    ) -> (DoubleDouble, Number, Mask, Mask) {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
         let exponential = Exponential::of(-least(w.hi, ENDED));
@@ -159,7 +167,7 @@ impl Target {
         let far = far.times(self.end_square);
         let near = fast_two_sum(0.5, exponential.r * exponential.bend);
         let near = near.times(two_square(t));
-        let fall = DoubleDouble::select(exponential.n == 0.0, near, far);
+        let fall = DoubleDouble::select(exponential.n.equals(0.0), near, far);
         let slowed = two_product(lambda, fall.hi);
         let way = fast_two_sum(t, -slowed.hi);
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
@@ -178,8 +186,8 @@ impl Target {
         // H at its greatest, times `unit`, by what y is off the envelope
         let discriminant = model.discriminant();
         let digits = model.unit * -model.bend * contact.up * (self.y.abs() + contact.up);
-        let on = contact.close & (discriminant < digits * (3.0 * f64::EPSILON));
-        let there = !contact.close | (discriminant > digits * (-5.0 * f64::EPSILON));
+        let on = contact.close & discriminant.is_below(digits * (3.0 * f64::EPSILON));
+        let there = !contact.close | discriminant.is_above(digits * (-5.0 * f64::EPSILON));
         // where no zero is in sight yet, a moderate step
         let least = model.slope * model.slope * 1e-18;
         let root = sqrt(select(on, 0.0, greater(discriminant, least)));
@@ -196,16 +204,16 @@ impl Target {
 
 /// `unit H = excess + 2 slope θ + bend θ²`, over a linear function of θ, β having changed by Pθ.
 pub(super) struct Model {
-    pub excess: f64,
-    pub slope: f64,
-    pub bend: f64,
-    unit: f64,
+    pub excess: Number,
+    pub slope: Number,
+    pub bend: Number,
+    unit: Number,
 }
 
 impl Model {
     /// At P, e⁻ʷ, half of dH/dβ and H.
     #[inline(always)]
-    pub fn new(target: &Target, way: f64, rest: f64, slope: f64, excess: f64) -> Self {
+    pub fn new(target: &Target, way: Number, rest: Number, slope: Number, excess: Number) -> Self {
         let loss = target.lambda * rest;
         let curvature = loss + target.gamma * target.gamma * way;
         let second = way * curvature;
@@ -220,14 +228,15 @@ impl Model {
     }
 
     #[inline(always)]
-    pub fn discriminant(&self) -> f64 {
+    pub fn discriminant(&self) -> Number {
         self.slope * self.slope - self.bend * self.excess
     }
 }
 
 /// The launch angle of one arc to the target.
-#[inline(always)]
-fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn aim(sense: f64, x: Number, y: Number, epsilon: Number) -> Number {
     let target = Target::new(x, y, epsilon);
     let contact = Contact::of(&target);
     let start = start(&target, &contact, sense);
@@ -235,22 +244,22 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
     let (up, across, on, there) = target.direction(sense, t, &contact);
 
     // at the end of all motion the way is 1/λ
-    let ended = (start.end > RELAXED) & !on;
+    let ended = start.end.is_above(RELAXED) & !on;
     let level = two_product(start.level, target.end * LARGE);
     let up = DoubleDouble::select(ended, level, up);
     // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
-    let near = (sense == LOW) & (target.x.abs() + target.y.abs() < 1e-30);
-    let enlarged = |a: f64| a * MOST * MORE;
+    let near = Mask::from(sense == LOW) & (target.x.abs() + target.y.abs()).is_below(1e-30);
+    let enlarged = |a: Number| a * MOST * MORE;
     let (ahead, above) = (enlarged(x.abs()), enlarged(y));
     let fallen = 0.5 * (ahead * x.abs() + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above + fallen), up);
     // the launch point itself counts as straight ahead
     let across = select(near, greater(ahead, 1e-300), across);
 
-    let turn = angle_all_round(up, across, x < 0.0);
-    let inside = there & contact.reached & (y > f64::NEG_INFINITY) & is_drag(epsilon);
+    let turn = angle_all_round(up, across, x.is_below(0.0));
+    let inside = there & contact.reached & y.is_above(f64::NEG_INFINITY) & is_drag(epsilon);
     // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
-    select(inside & (turn.abs() <= core::f64::consts::TAU), turn, f64::NAN)
+    select(inside & turn.abs().is_at_most(core::f64::consts::TAU), turn, f64::NAN)
 }
 
 /// Launch angle of the lower, faster arc through the target (x, y), in radians.
@@ -260,7 +269,7 @@ fn aim(sense: f64, x: f64, y: f64, epsilon: f64) -> f64 {
 /// doubles lie there. In [−π/2, π/2] for x ≥ 0, in (π/2, 3π/2] for x < 0. The launch point itself
 /// counts as straight ahead.
 #[inline(always)]
-pub fn aim_low(x: f64, y: f64, eps: f64) -> f64 {
+pub fn aim_low(x: Number, y: Number, eps: Number) -> Number {
     aim(LOW, x, y, eps)
 }
 
@@ -269,6 +278,6 @@ pub fn aim_low(x: f64, y: f64, eps: f64) -> f64 {
 /// As [`aim_low`]. Both arcs are straight up for a target above the launcher, which the shot
 /// meets on its way up and on its way down.
 #[inline(always)]
-pub fn aim_high(x: f64, y: f64, eps: f64) -> f64 {
+pub fn aim_high(x: Number, y: Number, eps: Number) -> Number {
     aim(HIGH, x, y, eps)
 }

@@ -7,7 +7,9 @@
 //! the zeros are near, the approximation to H there gives them. For the low arc, which in strong
 //! drag is nearly straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
 
-use super::super::real::{Logarithm, exponent_and_significand, polynomial, select, sqrt};
+use super::super::real::{
+    Logarithm, Mask, Number, Order, exponent_and_significand, polynomial, select, sqrt,
+};
 use super::aim::{LOW, Model, Target, greater, least};
 
 // aim_log: minimax on [-0.293, 0.4143], degree 3,
@@ -20,19 +22,19 @@ const AIM_WAY_BOTTOM: [f64; 4] = [1.0, 0.4311548783, 0.04313676296, 0.1048330231
 
 /// The shot that touches the envelope at the target's abscissa, at its touching point.
 pub(super) struct Contact {
-    pub t: f64,
-    way: f64,
-    fall: f64,
+    pub t: Number,
+    way: Number,
+    fall: Number,
     /// `e⁻ʷ`
-    rest: f64,
+    rest: Number,
     /// its rise without gravity
-    pub up: f64,
+    pub up: Number,
     /// how far the target is below
-    below: f64,
+    below: Number,
     /// whether the target is so close under or over the envelope that both arcs begin here
-    pub close: bool,
+    pub close: Mask,
     /// whether the target is not farther above than that
-    pub reached: bool,
+    pub reached: Mask,
 }
 
 impl Contact {
@@ -47,7 +49,7 @@ impl Contact {
         let (v, rest) = (lambda * way, gamma * up);
 
         let (k, m) = exponent_and_significand(rest);
-        let near = k == 0.0;
+        let near = k.equals(0.0);
         let f = select(near, -v, m - 1.0);
         let inverse = 1.0 / (2.0 + f);
         let s = f * inverse;
@@ -62,7 +64,7 @@ impl Contact {
         let below = height - y;
         let noise = (8.0 * f64::EPSILON) * height.abs();
         let band = way * (lambda * rest + gamma * gamma * way) * 2e-9;
-        let band = select(band < up * up * 0.0156, band, up * up * 0.0156) + noise * up;
+        let band = select(band.is_below(up * up * 0.0156), band, up * up * 0.0156) + noise * up;
         let above = below * up;
         Contact {
             t,
@@ -71,19 +73,19 @@ impl Contact {
             rest,
             up,
             below,
-            close: above < band,
-            reached: (above > -band) & (beyond > 0.0),
+            close: above.is_below(band),
+            reached: above.is_above(-band) & beyond.is_above(0.0),
         }
     }
 }
 
 /// A time near that of the arc.
 pub(super) struct Start {
-    pub t: f64,
+    pub t: Number,
     /// the rise when all motion has ended
-    pub level: f64,
+    pub level: Number,
     /// λ²β of the arc that has ended
-    pub end: f64,
+    pub end: Number,
 }
 
 #[inline(always)]
@@ -100,7 +102,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
     // (a little more, so that rounding does not lead in from the other side)
     let twice = up * (2.0 * (1.0 + 8.0 * f64::EPSILON));
     let (excess, slope) = (below * (twice - below), gamma * below);
-    let inside = excess > 0.0;
+    let inside = excess.is_above(0.0);
     let fall = if low {
         // before it P² lies under its parabola of there, behind under its tangent
         let bend = gamma * gamma * way + select(inside, lambda * rest, 0.0);
@@ -117,7 +119,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
         // by the approximation at the touching point, as far as three derivatives see
         let model = Model::new(target, way, rest, slope, excess);
         let theta = model.excess / (sqrt(greater(model.discriminant(), 0.0)) - model.slope);
-        let neighbouring = inside & (theta.abs() < 1.25 * end);
+        let neighbouring = inside & theta.abs().is_below(1.25 * end);
         select(neighbouring, contact.fall + way * theta, fall)
     };
 
@@ -139,22 +141,23 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
 /// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
 /// where all shots have fallen to.
 #[inline(always)]
-fn straight(target: &Target, t: f64, fall: f64) -> f64 {
+fn straight(target: &Target, t: Number, fall: Number) -> Number {
     let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
     let up = y + gamma * fall;
     let distance = sqrt(x * x + up * up);
     let share = lambda * distance;
     let rest_square = beyond - (lambda * up) * (lambda * up); // 1 − (λR)²
     let by_wall = rest_square * (0.5 + 0.125 * rest_square);
-    let rest = select(rest_square < 0.000244140625, by_wall, 1.0 - share);
+    let rest = select(rest_square.is_below(0.000244140625), by_wall, 1.0 - share);
     let (k, m) = exponent_and_significand(rest);
-    let f = select(k == 0.0, -share, m - 1.0);
+    let f = select(k.equals(0.0), -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
     let value = t + logarithm * end;
     // on the way the shot comes to be as far as R: that is the better mean of P
     let slope = rest - gamma * up;
     let change = -(value * rest) / slope;
     // less than that the logarithm and t are not sure of
-    let sure = (slope > 0.125 * rest) & (rest > 1e-300) & (value < t * -0.001953125);
+    let sure =
+        slope.is_above(0.125 * rest) & rest.is_above(1e-300) & value.is_below(t * -0.001953125);
     select(sure, change, 0.0)
 }

@@ -5,7 +5,7 @@
 //! height is its own.
 
 use super::super::real::double_double::{DoubleDouble, two_product, two_sum};
-use super::super::real::select;
+use super::super::real::{Number, Order, select};
 use super::domain::is_drag;
 use super::fall::fall;
 use super::height::height_after;
@@ -19,22 +19,22 @@ pub(super) struct Touching {
     /// `ψ(εp)`
     pub psi: DoubleDouble,
     /// `1 − ε|x|`; nothing is reached where it is not positive
-    pub rest: f64,
+    pub rest: Number,
 }
 
 impl Touching {
     /// At x, |x| < 1/ε.
     #[inline(always)]
-    pub fn at(x: f64, epsilon: f64) -> Self {
+    pub fn at(x: Number, epsilon: Number) -> Self {
         let one = DoubleDouble::from(1.0);
         let before_end = one.sub(two_product(epsilon, x.abs()));
         // so far out the height is −∞, and its parts would be infinite
-        let x = select(x.abs() > 1e160, 1e160, x.abs());
+        let x = select(x.abs().is_above(1e160), 1e160, x.abs());
         let product = two_product(epsilon, x);
         let rest = one.sub(product);
         let e = rest.times(one.add(product));
         // numerator and denominator divided by the greater of 1 and x: squares of x overflow
-        let long = x > 1.0;
+        let long = x.is_above(1.0);
         let unit = select(long, 1.0, x);
         let inverse = DoubleDouble::select(long, one.div(DoubleDouble::from(x)), one);
         let numerator = e.times(inverse);
@@ -51,14 +51,14 @@ impl Touching {
 
     /// The envelope's height.
     #[inline(always)]
-    pub fn height(&self) -> f64 {
+    pub fn height(&self) -> Number {
         let y = height_after(self.way, self.sin, self.psi);
         // where the terms are equal but for what they are rounded by, they are meant to be: a
         // drag-free shot reaches x = 1 at y = 0
         let noise = self.way.hi * self.sin.hi * f64::EPSILON * 1e-6;
-        let y = select(y.abs() < noise, 0.0, y);
-        let y = select(self.rest == 0.0, f64::NEG_INFINITY, y);
-        select(self.rest >= 0.0, y, f64::NAN)
+        let y = select(y.abs().is_below(noise), 0.0, y);
+        let y = select(self.rest.equals(0.0), f64::NEG_INFINITY, y);
+        select(self.rest.is_at_least(0.0), y, f64::NAN)
     }
 }
 
@@ -69,6 +69,6 @@ impl Touching {
 /// the greater of sin α/(sin α + ε) and its difference from that, α being the touching shot's
 /// launch angle.
 #[inline(always)]
-pub fn envelope_height(x: f64, eps: f64) -> f64 {
-    select(is_drag(eps) & (x.abs() <= f64::MAX), Touching::at(x, eps).height(), f64::NAN)
+pub fn envelope_height(x: Number, eps: Number) -> Number {
+    select(is_drag(eps) & x.abs().is_at_most(f64::MAX), Touching::at(x, eps).height(), f64::NAN)
 }

@@ -12,7 +12,7 @@
 //! - `w − r (1 + h) = w³ (1/4 − B (1 + h))`.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
-use super::super::real::{Exponential, polynomial, power_of_two, select};
+use super::super::real::{Exponential, Number, Order, polynomial, power_of_two, select};
 
 // half_time_start: 0.96 of the error that can be borne: reference/coefficients.py half_time_start
 const HALF_TIME_START_TOP: [f64; 5] =
@@ -22,19 +22,19 @@ const HALF_TIME_START_BOTTOM: [f64; 5] =
 
 /// A double next to `h`, to 2⁻¹⁴.
 #[inline(always)]
-pub(super) fn start(u: f64) -> f64 {
+pub(super) fn start(u: Number) -> Number {
     // beyond 10⁶ the guess is right to 10⁻⁶ and the equation linear
-    let size = select(u > 1e6, 1e6, u);
+    let size = select(u.is_above(1e6), 1e6, u);
     let ratio = polynomial(size, &HALF_TIME_START_TOP) / polynomial(size, &HALF_TIME_START_BOTTOM);
     u * ratio
 }
 
 /// The landing: h is a start and a small step, and so is r.
 pub(super) struct Landing {
-    start: f64,
-    step: f64,
+    start: Number,
+    step: Number,
     gone: DoubleDouble,
-    rest: f64,
+    rest: Number,
 }
 
 impl Landing {
@@ -48,7 +48,7 @@ impl Landing {
     #[inline(always)]
     pub fn gone(&self) -> DoubleDouble {
         // beyond e⁻ʷ = 2⁻⁵³ there is nothing to add, and the step may be great
-        let change = select(self.rest > 0.0, 2.0 * self.step, 0.0);
+        let change = select(self.rest.is_above(0.0), 2.0 * self.step, 0.0);
         let change = change - change * change * (0.5 - change * (1.0 / 6.0));
         DoubleDouble { hi: self.gone.hi, lo: self.gone.lo + self.rest * change }
     }
@@ -56,10 +56,10 @@ impl Landing {
 
 /// The landing for q = 1 + u, u at least 2⁻⁴⁰, given a start for h.
 #[inline(always)]
-pub(super) fn landing(q: DoubleDouble, h: f64) -> Landing {
+pub(super) fn landing(q: DoubleDouble, h: Number) -> Landing {
     let w = 2.0 * h;
     // beyond w = 80 all of e⁻ʷ is below the last bit of the second double but a few
-    let exponential = Exponential::of(-select(w > 80.0, 80.0, w));
+    let exponential = Exponential::of(-select(w.is_above(80.0), 80.0, w));
     let power = power_of_two(exponential.n);
     let change = exponential.loose_excess().scale(power);
     let gone = fast_two_sum(1.0 - power, -change.hi);
@@ -71,7 +71,7 @@ pub(super) fn landing(q: DoubleDouble, h: f64) -> Landing {
     let rest = 1.0 - gone;
 
     // exponential.r is −w there, and bend B
-    let near = exponential.n == 0.0;
+    let near = exponential.n.equals(0.0);
     let bend = exponential.bend;
     let square = w * w;
     let slope_near = square * (0.5 - w * (0.5 - bend * (1.0 + w)));

@@ -8,7 +8,7 @@
 
 use super::super::lambert::lambertw0_offset;
 use super::super::real::double_double::{DoubleDouble, two_product};
-use super::super::real::{Logarithm, angle, exp_m1, ln, ln_1p, select};
+use super::super::real::{Logarithm, Number, Order, angle, exp_m1, ln, ln_1p, select};
 use super::domain::is_drag;
 use super::fall::fall;
 
@@ -17,24 +17,24 @@ const STRONG: f64 = 1099511627776.0; // 2⁴⁰
 
 /// For ε < 2⁴⁰.
 #[inline(always)]
-fn moderate(epsilon: f64) -> f64 {
+fn moderate(epsilon: Number) -> Number {
     let square = two_product(epsilon, epsilon);
     let p = exp_m1(lambertw0_offset(square.hi * INVERSE_E));
     let one = DoubleDouble::from(1.0);
     let rest = one.div(one.add_double(p));
     let sine_square = rest.times(fall(rest.times_double(p), rest));
     let residual = square.sub(two_product(p, p).times(sine_square)).round();
-    let slowness = select(p < 1e-20, 1.0, ln_1p(p) / p);
+    let slowness = select(p.is_below(1e-20), 1.0, ln_1p(p) / p);
     // where ε² is next to nothing so is the change
-    let change = select(epsilon < 1e-8, 0.0, residual / (p * p * slowness));
+    let change = select(epsilon.is_below(1e-8), 0.0, residual / (p * p * slowness));
     let sine_square = sine_square.add_double(change * (slowness - 2.0 * sine_square.hi));
     angle(sine_square.sqrt(), one.sub(sine_square).sqrt())
 }
 
 /// For ε > 2⁴⁰.
 #[inline(always)]
-fn strong(epsilon: f64) -> f64 {
-    let logarithm = |x: f64| Logarithm::of(DoubleDouble::from(x)).value();
+fn strong(epsilon: Number) -> Number {
+    let logarithm = |x: Number| Logarithm::of(DoubleDouble::from(x)).value();
     let right = logarithm(epsilon).scale(2.0).add_double(-1.0);
     let mut w = right.hi - ln(right.hi);
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
@@ -50,7 +50,7 @@ fn strong(epsilon: f64) -> f64 {
 ///
 /// ε ≥ 0. π/4 without drag, falling to 0; there launch and landing are perpendicular.
 #[inline(always)]
-pub fn optimal_angle(eps: f64) -> f64 {
-    let angle = select(eps > STRONG, strong(eps), moderate(eps));
+pub fn optimal_angle(eps: Number) -> Number {
+    let angle = select(eps.is_above(STRONG), strong(eps), moderate(eps));
     select(is_drag(eps), angle, f64::NAN)
 }

@@ -1,7 +1,7 @@
 //! Range.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::select;
+use super::super::real::{Number, select};
 use super::domain::{is_drag, is_rising};
 use super::time::LevelShot;
 
@@ -9,7 +9,7 @@ use super::time::LevelShot;
 ///
 /// α in [0, π]. Limits: `2 sin α cos α` as ε → 0; `cos α / ε` as ε → ∞.
 #[inline(always)]
-pub fn flight_range(alpha: f64, eps: f64) -> f64 {
+pub fn flight_range(alpha: Number, eps: Number) -> Number {
     // x(T) = cos α (1 − e^{−εT})/ε, which is sin α (1 − 4u/3 + …) 2 cos α
     let shot = LevelShot::at(alpha, eps);
     let free = shot.is_free();

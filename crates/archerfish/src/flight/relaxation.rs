@@ -4,7 +4,7 @@
 //! `E₁ = (1 − e⁻ʷ)/w` and `E₂ = (1 − E₁)/w`, which lose a bit or two of more than there need be.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
-use super::super::real::{Exponential, polynomial, power_of_two, select};
+use super::super::real::{Exponential, Order, polynomial, power_of_two, select};
 
 // fall_tail: minimax on [0.0, 0.7001], degree 9,
 // weighted error 1.54e-18: reference/coefficients.py fall_tail
@@ -21,7 +21,7 @@ const FALL_TAIL: [f64; 10] = [
     -1.2012402872530096e-10,
 ];
 const MINUS_SIXTH: DoubleDouble =
-    DoubleDouble { hi: -0.16666666666666666, lo: -9.25185853854297e-18 };
+    DoubleDouble::constant(-0.16666666666666666, -9.25185853854297e-18);
 
 /// E₁ and E₂ at one w.
 pub(super) struct Relaxation {
@@ -33,7 +33,8 @@ pub(super) struct Relaxation {
 
 impl Relaxation {
     /// Of w in [0, 700].
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(w: DoubleDouble) -> Self {
         let exponential = Exponential::of(-w.hi);
         let significand = exponential.significand();
@@ -50,7 +51,7 @@ impl Relaxation {
         let fall_near = linear.add_smaller(DoubleDouble::from(tail));
         let speed_near = DoubleDouble::from(1.0).sub_smaller(w.times(fall_near));
 
-        let near = w.hi < 0.7;
+        let near = w.hi.is_below(0.7);
         Relaxation {
             speed: DoubleDouble::select(near, speed_near, speed_far),
             fall: DoubleDouble::select(near, fall_near, fall_far),
@@ -65,7 +66,7 @@ pub(super) const RELAXED: f64 = 75.0;
 #[inline(always)]
 pub(super) fn clamped(w: DoubleDouble) -> DoubleDouble {
     DoubleDouble {
-        hi: select(w.hi > RELAXED, RELAXED, w.hi),
-        lo: select(w.hi > RELAXED, 0.0, w.lo),
+        hi: select(w.hi.is_above(RELAXED), RELAXED, w.hi),
+        lo: select(w.hi.is_above(RELAXED), 0.0, w.lo),
     }
 }

@@ -1,7 +1,7 @@
 //! Time of flight.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{select, sin_cos_upper};
+use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
 use super::domain::{is_drag, is_rising};
 use super::half_time::{Landing, landing, start};
 
@@ -13,15 +13,16 @@ pub(super) struct LevelShot {
     pub sin: DoubleDouble,
     pub cos: DoubleDouble,
     /// `u = ε sin α`
-    pub u: f64,
+    pub u: Number,
     /// with h = εT/2; nothing where the shot is free
     pub landing: Landing,
 }
 
 impl LevelShot {
     /// At the angle α in [0, π].
-    #[inline(always)]
-    pub fn at(alpha: f64, epsilon: f64) -> Self {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn at(alpha: Number, epsilon: Number) -> Self {
         let (sin, cos) = sin_cos_upper(alpha);
         let u = sin.times_double(epsilon);
         let h = start(u.hi);
@@ -32,8 +33,8 @@ impl LevelShot {
 
     /// Whether the first term in u says all that drag does.
     #[inline(always)]
-    pub fn is_free(&self) -> bool {
-        self.u < FREE
+    pub fn is_free(&self) -> Mask {
+        self.u.is_below(FREE)
     }
 
     /// `sin α (1 − k u)`, k being a few units.
@@ -47,7 +48,7 @@ impl LevelShot {
 ///
 /// α in [0, π]. Limits: `2 sin α` as ε → 0; `sin α + 1/ε` as ε → ∞.
 #[inline(always)]
-pub fn flight_time(alpha: f64, eps: f64) -> f64 {
+pub fn flight_time(alpha: Number, eps: Number) -> Number {
     let shot = LevelShot::at(alpha, eps);
     let half = shot.landing.half_time().div_double(eps);
     // T/2 = sin α (1 − u/3 + …)

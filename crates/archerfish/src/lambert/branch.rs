@@ -5,7 +5,7 @@
 //! as a sum of two doubles.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::super::real::{polynomial, select};
+use super::super::real::{Number, Order, polynomial, select};
 
 // principal_tail: minimax on [0.0, 0.501], degree 13,
 // weighted error 3.58e-18: reference/coefficients.py principal_tail
@@ -74,10 +74,10 @@ const LOWER_CLOSE_TAIL: [f64; 9] = [
 
 /// 1/e. The nearest double is greater: what counts as the branch point lies just outside.
 pub(super) const INVERSE_E: DoubleDouble =
-    DoubleDouble { hi: 0.36787944117144233, lo: -1.2428753672788363e-17 };
-const TWO_E: DoubleDouble = DoubleDouble { hi: 5.43656365691809, lo: 2.8912937834585003e-16 };
+    DoubleDouble::constant(0.36787944117144233, -1.2428753672788363e-17);
+const TWO_E: DoubleDouble = DoubleDouble::constant(5.43656365691809, 2.8912937834585003e-16);
 const MINUS_THIRD: DoubleDouble =
-    DoubleDouble { hi: -0.3333333333333333, lo: -1.850371707708594e-17 };
+    DoubleDouble::constant(-0.3333333333333333, -1.850371707708594e-17);
 
 /// Offsets up to which the series serve for 1 + W: |p| < 1/2.
 pub(super) const NEAR: f64 = 0.045984;
@@ -90,15 +90,15 @@ fn root(offset: DoubleDouble) -> DoubleDouble {
     // the square of a subnormal's rest would be lost: 2²⁰⁰ under the root, 2⁻¹⁰⁰ after it
     const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
     const SMALL: f64 = f64::from_bits((1023 - 100) << 52);
-    let tiny = offset.hi < 1e-270;
+    let tiny = offset.hi.is_below(1e-270);
     let scaled = offset.scale(select(tiny, LARGE, 1.0));
     let root = scaled.times(TWO_E).sqrt().scale(select(tiny, SMALL, 1.0));
-    DoubleDouble::select(offset.hi > 0.0, root, DoubleDouble::from(0.0))
+    DoubleDouble::select(offset.hi.is_above(0.0), root, DoubleDouble::from(0.0))
 }
 
 /// `v = p − p²/3 + p³ t`
 #[inline(always)]
-fn series(p: DoubleDouble, tail: f64) -> DoubleDouble {
+fn series(p: DoubleDouble, tail: Number) -> DoubleDouble {
     let square = p.squared();
     let third = square.times(MINUS_THIRD);
     let sum = fast_two_sum(p.hi, third.hi);
@@ -122,25 +122,25 @@ pub(super) fn lower_near(offset: DoubleDouble) -> DoubleDouble {
 
 /// `z = −1/e + δ`.
 #[inline(always)]
-pub(super) fn at_offset(offset: f64) -> DoubleDouble {
+pub(super) fn at_offset(offset: Number) -> DoubleDouble {
     let z = two_sum(offset, -INVERSE_E.hi);
     fast_two_sum(z.hi, z.lo - INVERSE_E.lo)
 }
 
 /// `2eδ`, which is p²; 0 for δ ≤ 0.
 #[inline(always)]
-pub(super) fn square(offset: f64) -> f64 {
-    TWO_E.hi * select(offset > 0.0, offset, 0.0)
+pub(super) fn square(offset: Number) -> Number {
+    TWO_E.hi * select(offset.is_above(0.0), offset, 0.0)
 }
 
 /// W₀ by p in [0, 1/5].
 #[inline(always)]
-pub(super) fn principal_close(p: f64) -> f64 {
+pub(super) fn principal_close(p: Number) -> Number {
     (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &PRINCIPAL_CLOSE_TAIL))) - 1.0
 }
 
 /// W₋₁ by p in [−1/5, 0].
 #[inline(always)]
-pub(super) fn lower_close(p: f64) -> f64 {
+pub(super) fn lower_close(p: Number) -> Number {
     (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &LOWER_CLOSE_TAIL))) - 1.0
 }

@@ -4,7 +4,7 @@
 //! which is smooth even at the branch point, and one step.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{polynomial, select, sqrt};
+use super::super::real::{Number, Order, polynomial, select, sqrt};
 use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near, square};
 use super::step::{correction, one_plus_corrected, rough_ln};
 
@@ -19,8 +19,8 @@ const LIFT: f64 = 64.0;
 
 /// η² for z in [−0.3606, −5e-324], to few digits.
 #[inline(always)]
-fn eta_square(z: f64) -> f64 {
-    let subnormal = z > -f64::MIN_POSITIVE;
+fn eta_square(z: Number) -> Number {
+    let subnormal = z.is_above(-f64::MIN_POSITIVE);
     let scaled = select(subnormal, z * -18014398509481984.0, -z); // 2⁵⁴
     let logarithm = rough_ln(scaled) - select(subnormal, 54.0 * core::f64::consts::LN_2, 0.0);
     -2.0 * (1.0 + logarithm)
@@ -28,7 +28,7 @@ fn eta_square(z: f64) -> f64 {
 
 /// W₋₁ to few digits, given η.
 #[inline(always)]
-fn start(eta: f64) -> f64 {
+fn start(eta: Number) -> Number {
     let quotient = polynomial(eta, &LOWER_START_TOP) / polynomial(eta, &LOWER_START_BOTTOM);
     -(1.0 + eta * quotient)
 }
@@ -38,9 +38,9 @@ fn start(eta: f64) -> f64 {
 /// z in [−1/e, 0], NaN outside; −∞ at 0; the double nearest −1/e counts as the branch point and
 /// gives −1.
 #[inline(always)]
-pub fn lambertwm1(z: f64) -> f64 {
+pub fn lambertwm1(z: Number) -> Number {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
-    let close = offset < CLOSE;
+    let close = offset.is_below(CLOSE);
     // one square root for −p or η
     let root = sqrt(select(close, square(offset), eta_square(z)));
     let w = start(root);
@@ -48,20 +48,20 @@ pub fn lambertwm1(z: f64) -> f64 {
     let near = lower_close(-root);
     let far = w + correction(DoubleDouble::from(z), w, LIFT);
     let regular = select(close, near, far);
-    let regular = select(z == 0.0, f64::NEG_INFINITY, regular);
-    select((z >= -INVERSE_E.hi) & (z <= 0.0), regular, f64::NAN)
+    let regular = select(z.equals(0.0), f64::NEG_INFINITY, regular);
+    select(z.is_at_least(-INVERSE_E.hi) & z.is_at_most(0.0), regular, f64::NAN)
 }
 
 /// `1 + W₋₁(−1/e + d)`, exact in d: like −√(2ed) for small d.
 ///
 /// d in [0, 1/e], NaN outside; the double nearest 1/e counts as 1/e and gives −∞.
 #[inline(always)]
-pub fn lambertwm1_offset(d: f64) -> f64 {
+pub fn lambertwm1_offset(d: Number) -> Number {
     let z = at_offset(d);
     let w = start(sqrt(eta_square(z.hi)));
     let near = lower_near(DoubleDouble::from(d));
     let far = one_plus_corrected(z, w, LIFT);
-    let regular = select(d < NEAR, near.round(), far);
-    let regular = select(d == INVERSE_E.hi, f64::NEG_INFINITY, regular);
-    select((d >= 0.0) & (d <= INVERSE_E.hi), regular, f64::NAN)
+    let regular = select(d.is_below(NEAR), near.round(), far);
+    let regular = select(d.equals(INVERSE_E.hi), f64::NEG_INFINITY, regular);
+    select(d.is_at_least(0.0) & d.is_at_most(INVERSE_E.hi), regular, f64::NAN)
 }

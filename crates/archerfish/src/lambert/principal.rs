@@ -4,7 +4,7 @@
 //! y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point, and one step.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{polynomial, select, sqrt};
+use super::super::real::{Number, Order, polynomial, select, sqrt};
 use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near, square};
 use super::step::{correction, one_plus_corrected, rough_ln_1p};
 
@@ -35,7 +35,7 @@ const END: f64 = 0.45867514538708193;
 
 /// W₀ to few digits, for z ≥ −0.3606, given ln(1+z) and y.
 #[inline(always)]
-fn start(logarithm: f64, y: f64) -> f64 {
+fn start(logarithm: Number, y: Number) -> Number {
     let quotient = polynomial(y, &PRINCIPAL_START_TOP) / polynomial(y, &PRINCIPAL_START_BOTTOM);
     logarithm * quotient
 }
@@ -43,10 +43,11 @@ fn start(logarithm: f64, y: f64) -> f64 {
 /// Lambert W on the principal branch, W₀(z): the w ≥ −1 with `w eʷ = z`.
 ///
 /// z ≥ −1/e, below it NaN; the double nearest −1/e counts as the branch point and gives −1.
-#[inline(always)]
-pub fn lambertw0(z: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+pub fn lambertw0(z: Number) -> Number {
     let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
-    let close = offset < CLOSE;
+    let close = offset.is_below(CLOSE);
     let logarithm = rough_ln_1p(z);
     // one square root for p or y
     let root = sqrt(select(close, square(offset), logarithm + END));
@@ -55,29 +56,30 @@ pub fn lambertw0(z: f64) -> f64 {
     let near = principal_close(root);
     let far = w + correction(DoubleDouble::from(z), w, 0.0);
     let regular = select(close, near, far);
-    let regular = select(z == 0.0 || z == f64::INFINITY, z, regular);
-    select(z >= -INVERSE_E.hi, regular, f64::NAN)
+    let regular = select(z.equals(0.0) | z.equals(f64::INFINITY), z, regular);
+    select(z.is_at_least(-INVERSE_E.hi), regular, f64::NAN)
 }
 
 /// `1 + W₀(−1/e + d)`, exact in d: like √(2ed) for small d.
 ///
 /// d ≥ 0, below it NaN.
-#[inline(always)]
-pub fn lambertw0_offset(d: f64) -> f64 {
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+pub fn lambertw0_offset(d: Number) -> Number {
     let z = at_offset(d);
     let logarithm = rough_ln_1p(z.hi);
     let w = start(logarithm, sqrt(logarithm + END));
     let near = principal_near(DoubleDouble::from(d));
     let far = one_plus_corrected(z, w, 0.0);
-    let regular = select(d < NEAR, near.round(), far);
-    let regular = select(d == f64::INFINITY, d, regular);
-    select(d >= 0.0, regular, f64::NAN)
+    let regular = select(d.is_below(NEAR), near.round(), far);
+    let regular = select(d.equals(f64::INFINITY), d, regular);
+    select(d.is_at_least(0.0), regular, f64::NAN)
 }
 
 /// The tree function, `T(z) = −W₀(−z)`.  [Eq. 14]
 ///
 /// z ≤ 1/e, above it NaN; the double nearest 1/e counts as 1/e and gives 1.
 #[inline(always)]
-pub fn tree(z: f64) -> f64 {
+pub fn tree(z: Number) -> Number {
     -lambertw0(-z)
 }

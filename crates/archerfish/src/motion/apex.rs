@@ -1,38 +1,38 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
 use super::super::real::double_double::{fast_two_sum, two_sum};
-use super::super::real::{Logarithm, atan_bend, select};
+use super::super::real::{Logarithm, Number, Order, atan_bend, select};
 use super::launch::{LIFT, Launch, within_domain};
 
 impl Launch {
     /// `x = sin α cos α / q`
     #[inline(always)]
-    fn x(&self) -> f64 {
+    fn x(&self) -> Number {
         self.lifted().times(self.cos).quotient(self.q()) * (1.0 / LIFT)
     }
 
     /// `y = sin²α φ(u)`, φ(u) being (1 − a)/(2 + u)
     #[inline(always)]
-    fn y(&self) -> f64 {
-        let rest = fast_two_sum(1.0, -self.a());
+    fn y(&self, a: Number) -> Number {
+        let rest = fast_two_sum(1.0, -a);
         let lifted = self.lifted().squared().times(rest).quotient(self.q_plus_one());
         lifted * (1.0 / LIFT / LIFT)
     }
 
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
-    fn time(&self) -> f64 {
+    fn time(&self) -> Number {
         let u = self.u.round();
         let slowed = self.lifted().times(Logarithm::of(self.q()).value());
         let divisor = fast_two_sum(self.u.hi, self.u.lo);
         // 1 + u has forgotten the end of a u this small, and 0/0 is at u = 0
         let first_order = self.lifted().times(fast_two_sum(1.0, -0.5 * u));
-        select(u < 1e-15, first_order.round(), slowed.quotient(divisor)) * (1.0 / LIFT)
+        select(u.is_below(1e-15), first_order.round(), slowed.quotient(divisor)) * (1.0 / LIFT)
     }
 
     /// `r = sin α √(cos²α + G² sin²α) / q`
     #[inline(always)]
-    fn distance(&self) -> f64 {
+    fn distance(&self) -> Number {
         let rise = self.sin.times(self.gain(self.a()));
         let stretch = self.cos.squared().add_positives(rise.squared());
         self.lifted().times(stretch.sqrt()).quotient(self.q()) * (1.0 / LIFT)
@@ -41,8 +41,8 @@ impl Launch {
     /// `θ = α − arctan τ`, `τ = R sin α cos α / (2 + u − R sin²α)`, R being 1 + (1 + u) a, which is
     /// (2 + u)(1 − G): equation (10), and τ² is at most 1/8
     #[inline(always)]
-    fn elevation(&self, alpha: f64) -> f64 {
-        let rise = self.sin.times(two_sum(1.0, self.q().hi * self.a()));
+    fn elevation(&self, alpha: Number, a: Number) -> Number {
+        let rise = self.sin.times(two_sum(1.0, self.q().hi * a));
         let fall = rise.times(self.sin);
         let divisor = self.q_plus_one().sub_smaller(fall);
         let lifted = rise.scale(LIFT).times(self.cos).div(divisor);
@@ -55,12 +55,13 @@ impl Launch {
 /// x, y, elevation and curvature of the locus at the apex, each to the bit as its own function gives
 /// it.
 #[inline(always)]
-pub fn apex(alpha: f64, eps: f64) -> (f64, f64, f64, f64) {
+pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
+    let a = launch.a();
     (
         within_domain(alpha, eps, launch.x()),
-        within_domain(alpha, eps, launch.y()),
-        within_domain(alpha, eps, launch.elevation(alpha)),
+        within_domain(alpha, eps, launch.y(a)),
+        within_domain(alpha, eps, launch.elevation(alpha, a)),
         within_domain(alpha, eps, launch.curvature()),
     )
 }
@@ -69,7 +70,7 @@ pub fn apex(alpha: f64, eps: f64) -> (f64, f64, f64, f64) {
 ///
 /// Limits: `sin α cos α` as ε → 0; `cos α / ε` as ε → ∞. Negative for α > π/2.
 #[inline(always)]
-pub fn apex_x(alpha: f64, eps: f64) -> f64 {
+pub fn apex_x(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).0
 }
 
@@ -77,7 +78,7 @@ pub fn apex_x(alpha: f64, eps: f64) -> f64 {
 ///
 /// Limits: `sin²α / 2` as ε → 0; `sin α / ε` as ε → ∞.
 #[inline(always)]
-pub fn apex_y(alpha: f64, eps: f64) -> f64 {
+pub fn apex_y(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).1
 }
 
@@ -85,13 +86,13 @@ pub fn apex_y(alpha: f64, eps: f64) -> f64 {
 ///
 /// Limits: `sin α` as ε → 0; `ln(ε sin α)/ε` as ε → ∞.
 #[inline(always)]
-pub fn apex_time(alpha: f64, eps: f64) -> f64 {
+pub fn apex_time(alpha: Number, eps: Number) -> Number {
     within_domain(alpha, eps, Launch::at(alpha, eps).time())
 }
 
 /// Distance of the apex from the launch point, in V₀²/g.
 #[inline(always)]
-pub fn apex_distance(alpha: f64, eps: f64) -> f64 {
+pub fn apex_distance(alpha: Number, eps: Number) -> Number {
     within_domain(alpha, eps, Launch::at(alpha, eps).distance())
 }
 
@@ -99,6 +100,6 @@ pub fn apex_distance(alpha: f64, eps: f64) -> f64 {
 ///
 /// Limits: `tan θ = tan α / 2` as ε → 0; `θ = α` as ε → ∞.
 #[inline(always)]
-pub fn apex_elevation(alpha: f64, eps: f64) -> f64 {
+pub fn apex_elevation(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).2
 }

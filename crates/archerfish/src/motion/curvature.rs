@@ -5,7 +5,7 @@
 //! so that `ρK = q N / D^{3/2}`. All but q stays of moderate size, and D is never near zero.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{select, sqrt};
+use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
 use super::launch::{LIFT, Launch, within_domain};
 use super::locus::Elevated;
@@ -17,8 +17,9 @@ const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
 
 impl Launch {
     /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
-    #[inline(always)]
-    pub fn curvature(&self) -> f64 {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn curvature(&self) -> Number {
         let q = self.q();
         let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
         let share = cos2.div(q);
@@ -41,15 +42,15 @@ impl Launch {
 ///
 /// 1 at α = 0; 1 + ε at α = π/2; at most 8 without drag, at 45°.
 #[inline(always)]
-pub fn apex_curvature(alpha: f64, eps: f64) -> f64 {
+pub fn apex_curvature(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).3
 }
 
 /// Curvature of the locus by elevation, times V₀²/g.  [Eq. 19]
 #[inline(always)]
-pub fn locus_curvature(theta: f64, eps: f64) -> f64 {
+pub fn locus_curvature(theta: Number, eps: Number) -> Number {
     // so near the launch point it depends on ε sin α alone, and sin α would be subnormal
-    let near = theta < NEAR;
+    let near = theta.is_below(NEAR);
     let (angle, epsilon) = (theta * select(near, LIFT, 1.0), eps * select(near, 1.0 / LIFT, 1.0));
     within_domain(theta, eps, Elevated::new(angle, epsilon).launch().curvature())
 }

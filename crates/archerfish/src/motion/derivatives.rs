@@ -14,7 +14,7 @@
 //! f is q sin α/B as well; so written, the errors that the one of α makes in the factors cancel.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::select;
+use super::super::real::{Number, Order, select};
 use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
 use super::locus::Elevated;
@@ -23,12 +23,12 @@ use super::locus::Elevated;
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
 const TINIEST: f64 = f64::from_bits((1023 - 800) << 52);
 const WEAK: f64 = f64::from_bits((1023 - 330) << 52);
-const MINUS_ONE: DoubleDouble = DoubleDouble { hi: -1.0, lo: 0.0 };
+const MINUS_ONE: DoubleDouble = DoubleDouble::constant(-1.0, 0.0);
 
 impl Elevated {
     /// dα/dθ and d²α/dθ² for θ > 0
     #[inline(always)]
-    fn launch_angle_derivatives(&self) -> (f64, f64) {
+    fn launch_angle_derivatives(&self) -> (Number, Number) {
         let (sin, cos) = self.direction();
         let u = sin.times_double(self.epsilon);
         let q = u.add_positive(1.0);
@@ -42,7 +42,7 @@ impl Elevated {
 
         // a = 2 r n (u n), n being 1/(2 + u) and r = ρ where a would cancel in the other form, in
         // which n is 1/u, u n is 1 and r = ln(1 + u)(1/2 + 1/u) − 1; n is lifted off the end of the range
-        let near = q.hi < 2.0;
+        let near = q.hi.is_below(2.0);
         let logarithm = logarithm(q, near);
         let q_plus_one = u.add_positive(2.0);
         let lifted = DoubleDouble::from(LIFT).div(DoubleDouble::select(near, q_plus_one, u));
@@ -67,34 +67,41 @@ impl Elevated {
     }
 }
 
-/// dα/dθ and d²α/dθ², each to the bit as its own function gives it.
+/// dα/dθ and d²α/dθ².
 #[inline(always)]
-pub fn locus_launch_angle_derivatives(theta: f64, eps: f64) -> (f64, f64) {
+fn derivatives(theta: Number, eps: Number) -> (Number, Number) {
     // 2 and −12θ − 8ε/3 where both are tiny: this is proportional to both, which a subnormal would
     // spoil; and f(εθ), ε f(εθ) where θ is nothing beside ε
-    let (tiny, weak) = (theta < TINIEST, eps < WEAK);
+    let (tiny, weak) = (theta.is_below(TINIEST), eps.is_below(WEAK));
     let scale = |weaker: f64, stronger: f64| select(tiny, select(weak, weaker, stronger), 1.0);
     // 0/0 at θ = 0, which is like anything much smaller than ε
     let angle = theta * scale(LARGE, LIFT);
-    let angle = select(angle < LEAST, LEAST, angle);
+    let angle = select(angle.is_below(LEAST), LEAST, angle);
     let epsilon = eps * scale(LARGE, 1.0 / LIFT);
     let back = scale(SMALL, LIFT);
     let (first, second) = Elevated::new(angle, epsilon).launch_angle_derivatives();
     (within_domain(theta, eps, first), within_domain(theta, eps, second * back))
 }
 
+/// dα/dθ and d²α/dθ², each to the bit as its own function gives it.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+pub fn locus_launch_angle_derivatives(theta: Number, eps: Number) -> (Number, Number) {
+    derivatives(theta, eps)
+}
+
 /// First derivative of the launch angle by the elevation, dα/dθ.  [Eq. 18]
 ///
 /// 2 at θ = 0 for every drag; between 1/2 and 2 without drag.
 #[inline(always)]
-pub fn locus_launch_angle_d1(theta: f64, eps: f64) -> f64 {
-    locus_launch_angle_derivatives(theta, eps).0
+pub fn locus_launch_angle_d1(theta: Number, eps: Number) -> Number {
+    derivatives(theta, eps).0
 }
 
 /// Second derivative of the launch angle by the elevation, d²α/dθ².
 ///
 /// −8ε/3 at θ = 0, 0 at θ = π/2.
 #[inline(always)]
-pub fn locus_launch_angle_d2(theta: f64, eps: f64) -> f64 {
+pub fn locus_launch_angle_d2(theta: Number, eps: Number) -> Number {
     locus_launch_angle_derivatives(theta, eps).1
 }

@@ -13,7 +13,8 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
 use super::super::real::{
-    LN2_HI, LN2_LO, Logarithm, exponent_and_significand, polynomial, power_and_inverse, select,
+    LN2_HI, LN2_LO, Logarithm, Mask, Number, Order, exponent_and_significand, polynomial,
+    power_and_inverse, select,
 };
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
@@ -31,20 +32,20 @@ const ARTANH_TAIL: [f64; 11] = [
     0.03173185332190979,
     0.07606561628673504,
 ];
-const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
+const THIRD: DoubleDouble = DoubleDouble::constant(0.3333333333333333, 1.850371707708594e-17);
 /// k ln 2/2 − τ for k = 1 and 2, where it would cancel: ln 2/2 − 1/3 and ln 2 − 3/5
 const FIRST_EXCESSES: [f64; 2] = [0.013240256946639321, 0.09314718055994531];
 
 /// `ρ(z)` for z up to 1/9, to 2⁻⁵⁸.
 #[inline(always)]
-fn ratio_of_square(z: f64) -> DoubleDouble {
+fn ratio_of_square(z: Number) -> DoubleDouble {
     let sum = fast_two_sum(THIRD.hi, z * polynomial(z, &ARTANH_TAIL));
     DoubleDouble { hi: sum.hi, lo: sum.lo + THIRD.lo }
 }
 
 /// `ln(1 + u)`, of q = 1 + u: for u < 1, where q is below 2, its pieces are those of artanh σ itself.
 #[inline(always)]
-pub(super) fn logarithm(q: DoubleDouble, near: bool) -> Logarithm {
+pub(super) fn logarithm(q: DoubleDouble, near: Mask) -> Logarithm {
     let (k, m) = exponent_and_significand(q.hi);
     Logarithm::of_parts(q, select(near, 0.0, k), select(near, q.hi, m), ratio_of_square)
 }
@@ -52,21 +53,22 @@ pub(super) fn logarithm(q: DoubleDouble, near: bool) -> Logarithm {
 /// Drag at one value of u = ε sin α.
 pub(super) struct Drag {
     /// `σ = u/(2 + u)`
-    pub sigma: f64,
+    pub sigma: Number,
     /// `1 − σ = 2/(2 + u)`
-    pub sigma_rest: f64,
+    pub sigma_rest: Number,
     /// `ρ(σ²)`
-    pub rho: f64,
+    pub rho: Number,
     /// `a = u G′(u)`
-    pub a: f64,
+    pub a: Number,
 }
 
 impl Drag {
     /// Of u ≥ 0.
-    #[inline(always)]
-    pub fn at(u: f64) -> Self {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn at(u: Number) -> Self {
         let (k, (power, p)) = power_and_inverse(1.0 + u);
-        let direct = k == 0.0;
+        let direct = k.equals(0.0);
         // exact, as 2ᵏ − 1 ≤ u < 2ᵏ⁺¹ − 1
         let f = (u - (power - 1.0)) * p;
         let s = f / (2.0 + f);
@@ -85,8 +87,8 @@ impl Drag {
         let sigma_rest = select(direct, 1.0 - s, 2.0 * p * (c * w));
 
         let first = (0.5 * k * LN2_HI - 1.0) + 0.5 * k * LN2_LO + 2.0 * p * (a * w);
-        let first = select(k == 2.0, FIRST_EXCESSES[1], first);
-        let first = select(k == 1.0, FIRST_EXCESSES[0], first);
+        let first = select(k.equals(2.0), FIRST_EXCESSES[1], first);
+        let first = select(k.equals(1.0), FIRST_EXCESSES[0], first);
         let excess = first + (z * s * rho_s + rest * (d * w) * s);
 
         // a = 2 (artanh σ − σ)(2 + u)/u² = 2pA (artanh σ − σ)/D², and ρ = (artanh σ − σ)/σ³
@@ -98,7 +100,7 @@ impl Drag {
 
     /// `1 − G(u) = ((1 − σ) + (1 + σ) a)/2`, from 1/2 to 0
     #[inline(always)]
-    pub fn gain_rest(&self) -> f64 {
+    pub fn gain_rest(&self) -> Number {
         0.5 * (self.sigma_rest + (1.0 + self.sigma) * self.a)
     }
 }

@@ -1,7 +1,7 @@
 //! One launch: the direction, and the drag it meets.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
-use super::super::real::{select, sin_cos_upper};
+use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
 use super::drag::Drag;
 
 /// A launch at angle α with drag parameter ε.
@@ -15,7 +15,7 @@ pub(crate) struct Launch {
 impl Launch {
     /// In the direction (cos α, sin α).
     #[inline(always)]
-    pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: f64) -> Self {
+    pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: Number) -> Self {
         Launch { sin, cos, u: sin.times_double(epsilon) }
     }
 
@@ -27,8 +27,9 @@ impl Launch {
     }
 
     /// At the angle α in [0, π].
-    #[inline(always)]
-    pub fn at(alpha: f64, epsilon: f64) -> Self {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn at(alpha: Number, epsilon: Number) -> Self {
         let (sin, cos) = sin_cos_upper(alpha);
         Launch::new(sin, cos, epsilon)
     }
@@ -47,27 +48,30 @@ impl Launch {
 
     /// `a`, all that drag's special function contributes to an apex.
     #[inline(always)]
-    pub fn a(&self) -> f64 {
+    pub fn a(&self) -> Number {
         Drag::at(self.u.round()).a
     }
 
     /// `G(u) = (1 + u)(1 − a)/(2 + u)`
     #[inline(always)]
-    pub fn gain(&self, a: f64) -> DoubleDouble {
+    pub fn gain(&self, a: Number) -> DoubleDouble {
         self.q().times(fast_two_sum(1.0, -a)).div(self.q_plus_one())
     }
 }
 
 /// Whether the functions of this module take the angle and the drag parameter.
 #[inline(always)]
-pub(crate) fn in_domain(angle: f64, epsilon: f64) -> bool {
+pub(crate) fn in_domain(angle: Number, epsilon: Number) -> Mask {
     // not `< INFINITY`: that comparison the compiler makes a test of bits, in five instructions
-    (angle >= 0.0) & (angle <= core::f64::consts::PI) & (epsilon >= 0.0) & (epsilon <= f64::MAX)
+    angle.is_at_least(0.0)
+        & angle.is_at_most(core::f64::consts::PI)
+        & epsilon.is_at_least(0.0)
+        & epsilon.is_at_most(f64::MAX)
 }
 
 /// `value` where the angle and the drag parameter are in the domain, else NaN.
 #[inline(always)]
-pub(crate) fn within_domain(angle: f64, epsilon: f64, value: f64) -> f64 {
+pub(crate) fn within_domain(angle: Number, epsilon: Number, value: Number) -> Number {
     select(in_domain(angle, epsilon), value, f64::NAN)
 }
 
@@ -82,17 +86,17 @@ pub(crate) const LIFT: f64 = f64::from_bits((1023 + 200) << 52);
 /// An elevation so small that what is proportional to it would be subnormal on the way; a problem
 /// alike to it, 2⁴⁰⁰ times as large, has none of that.
 pub(crate) struct Scaled {
-    pub angle: f64,
-    pub epsilon: f64,
+    pub angle: Number,
+    pub epsilon: Number,
     /// what to multiply angles and lengths with in the end
-    pub back: f64,
+    pub back: Number,
 }
 
 impl Scaled {
     /// With all angles below 2⁻⁵⁰⁰ multiplied by 2⁴⁰⁰, and ε sin α kept.
     #[inline(always)]
-    pub fn new(angle: f64, epsilon: f64) -> Self {
-        let tiny = angle < TINY;
+    pub fn new(angle: Number, epsilon: Number) -> Self {
+        let tiny = angle.is_below(TINY);
         let back = select(tiny, SMALL, 1.0);
         Scaled { angle: angle * select(tiny, LARGE, 1.0), epsilon: epsilon * back, back }
     }

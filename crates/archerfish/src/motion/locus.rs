@@ -13,7 +13,7 @@
 use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
 };
-use super::super::real::{atan_bend, polynomial, select, sin_cos_upper, sqrt};
+use super::super::real::{Mask, Number, Order, atan_bend, polynomial, select, sin_cos_upper, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 
@@ -31,27 +31,28 @@ pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
     /// |cos θ|
     pub cos_theta: DoubleDouble,
-    pub epsilon: f64,
+    pub epsilon: Number,
     /// whether θ > π/2
-    pub mirrored: bool,
-    theta: f64,
+    pub mirrored: Mask,
+    theta: Number,
     /// `τ = tan β₀`
-    tau: f64,
+    tau: Number,
     /// `sin θ + τ cos θ`, which is sin(θ + β₀)/cos β₀
     up: DoubleDouble,
     cos_beta: DoubleDouble,
     /// `β₀ − τ`
-    bend: f64,
+    bend: Number,
     /// `α − θ − β₀`, for θ ≤ π/2
-    step: f64,
+    step: Number,
 }
 
 impl Elevated {
     /// Solves equation (10) for the launch, given the elevation θ of its apex in [0, π].
-    #[inline(always)]
-    pub fn new(theta: f64, epsilon: f64) -> Self {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn new(theta: Number, epsilon: Number) -> Self {
         let (sin_theta, cos_theta) = sin_cos_upper(theta);
-        let mirrored = cos_theta.hi < 0.0;
+        let mirrored = cos_theta.hi.is_below(0.0);
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
         let up = sin_theta.add_smaller(cos_theta.times_double(tau));
@@ -65,14 +66,15 @@ impl Elevated {
 
     /// α in [0, π]
     #[inline(always)]
-    pub fn launch_angle(&self) -> f64 {
+    pub fn launch_angle(&self) -> Number {
         let sign = select(self.mirrored, -1.0, 1.0);
         let sum = fast_two_sum(self.theta, sign * self.tau);
         sum.hi + (sum.lo + sign * (self.step + self.bend))
     }
 
     /// sin α and |cos α|
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn direction(&self) -> (DoubleDouble, DoubleDouble) {
         let along = self.cos_theta.sub_smaller(self.sin_theta.times_double(self.tau));
         let (sin, cos) = (self.up.times(self.cos_beta), along.times(self.cos_beta));
@@ -94,7 +96,7 @@ impl Elevated {
 
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
     #[inline(always)]
-    fn radius(&self) -> f64 {
+    fn radius(&self) -> Number {
         let (sin, cos) = self.direction();
         let q = sin.times_double(self.epsilon).add_positive(1.0);
         sin.times(cos).quotient(q.times(self.cos_theta))
@@ -103,7 +105,7 @@ impl Elevated {
 
 /// `1/√(1 + τ²)`, from its rounded value; the residuals are of the root and of the division.
 #[inline(always)]
-fn cos_of_tan(tau: f64) -> DoubleDouble {
+fn cos_of_tan(tau: Number) -> DoubleDouble {
     let square = two_square(tau);
     let sum = fast_two_sum(1.0, square.hi);
     let sum = DoubleDouble { hi: sum.hi, lo: sum.lo + square.lo };
@@ -116,12 +118,12 @@ fn cos_of_tan(tau: f64) -> DoubleDouble {
 
 /// τ to 2⁻¹⁷ of sin α or better.
 #[inline(always)]
-fn rough_tan(sin: f64, cos: f64, epsilon: f64) -> f64 {
+fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
     /// A value of G to begin with.
     const GAIN: f64 = 0.7;
     let (sin2, cos2) = (sin * sin, cos * cos);
     // where G differs from 1 by less than anything, no power of v overflows
-    let v = select(epsilon * sin > 1e60, 1e60, epsilon * sin);
+    let v = select((epsilon * sin).is_above(1e60), 1e60, epsilon * sin);
 
     // u = v/√stretch and 1/(1 + u) = root/whole; the root is right to a hundredth
     let stretch = sin2 + GAIN * GAIN * cos2;
@@ -153,7 +155,14 @@ fn rough_tan(sin: f64, cos: f64, epsilon: f64) -> f64 {
 /// of G, which grow with 1/sin α and 1/sin²α, while the step shrinks with sin α: it is computed in
 /// units of sin α. All divisions are one.
 #[inline(always)]
-fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, cos_beta: f64, u: f64) -> f64 {
+fn step(
+    sin: Number,
+    cos: DoubleDouble,
+    tau: Number,
+    up: DoubleDouble,
+    cos_beta: Number,
+    u: Number,
+) -> Number {
     let secant_square = 1.0 + tau * tau;
     let sin_alpha = up.hi * cos_beta;
     let cos_alpha = (cos.hi - tau * sin) * cos_beta;
@@ -172,7 +181,7 @@ fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, cos_beta: f64, 
     let stretch = sin * sin + gain * gain * cos2;
     // 1 less the derivative of the right side by α, times what makes it positive
     let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
-    let slope = select(slope > 0.0, slope, 1.0);
+    let slope = select(slope.is_above(0.0), slope, 1.0);
 
     let sigma_plus_one = 1.0 + sigma;
     let (left, right) = (bottom * slope, stretch * sigma_plus_one);
@@ -196,7 +205,7 @@ fn step(sin: f64, cos: DoubleDouble, tau: f64, up: DoubleDouble, cos_beta: f64, 
 ///
 /// θ ≤ α ≤ arctan(2 tan θ) for θ ≤ π/2: the upper end without drag, the lower one as ε → ∞.
 #[inline(always)]
-pub fn locus_launch_angle(theta: f64, eps: f64) -> f64 {
+pub fn locus_launch_angle(theta: Number, eps: Number) -> Number {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
     within_domain(theta, eps, Elevated::new(angle, epsilon).launch_angle() * back)
 }
@@ -205,7 +214,7 @@ pub fn locus_launch_angle(theta: f64, eps: f64) -> f64 {
 ///
 /// Without drag `2 sin θ / (1 + 3 sin²θ)` [Eq. 15].
 #[inline(always)]
-pub fn locus_radius(theta: f64, eps: f64) -> f64 {
+pub fn locus_radius(theta: Number, eps: Number) -> Number {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
     within_domain(theta, eps, Elevated::new(angle, epsilon).radius() * back)
 }

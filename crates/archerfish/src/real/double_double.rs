@@ -4,28 +4,30 @@
 //! The rounding error of a product is itself a double. One fused instruction gives it, or Dekker's
 //! seventeen operations: the very same number, short of the ends of the range.
 
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
 use super::super::FUSED;
+use super::{Mask, Number, Order};
 
 /// The sum `hi + lo`, with `|lo|` far below `|hi|`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
-    pub hi: f64,
-    pub lo: f64,
+    pub hi: Number,
+    pub lo: Number,
 }
 
 /// The nearest number of 26 bits, and the rest, of 26 bits too: products of such are exact.
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
+fn split(a: Number) -> (Number, Number) {
     const HALF: u64 = 1 << 26;
     const HEAD: u64 = !((1 << 27) - 1);
-    let head = f64::from_bits(a.to_bits().wrapping_add(HALF) & HEAD);
+    let head = Number::from_bits(a.to_bits().wrapping_add(HALF) & HEAD);
     (head, a - head)
 }
 
 /// `a b − p`, p being `a * b` as rounded.
 #[inline(always)]
-fn product_error(a: f64, b: f64, p: f64) -> f64 {
-    #[cfg(feature = "std")]
+fn product_error(a: Number, b: Number, p: Number) -> Number {
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     if FUSED {
         return a.mul_add(b, -p);
     }
@@ -37,8 +39,9 @@ fn product_error(a: f64, b: f64, p: f64) -> f64 {
 /// `a − x y`, rounded once, where x y is nearly a: the rest of a quotient, for which nothing is
 /// lost where it is a double. Both ways subtract exactly until the last rounding.
 #[inline(always)]
-pub(crate) fn rest_of_product(a: f64, x: f64, y: f64) -> f64 {
-    #[cfg(feature = "std")]
+pub(crate) fn rest_of_product(a: operand!(), x: Number, y: Number) -> Number {
+    let a: Number = a.into();
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     if FUSED {
         return (-x).mul_add(y, a);
     }
@@ -48,7 +51,8 @@ pub(crate) fn rest_of_product(a: f64, x: f64, y: f64) -> f64 {
 
 /// `a + b` exactly, for any two numbers.
 #[inline(always)]
-pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
+pub(crate) fn two_sum(a: operand!(), b: operand!()) -> DoubleDouble {
+    let (a, b): (Number, Number) = (a.into(), b.into());
     let hi = a + b;
     let b_part = hi - a;
     let lo = (a - (hi - b_part)) + (b - b_part);
@@ -57,29 +61,31 @@ pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
 
 /// `a + b` exactly, where `a` is zero or its exponent is at least that of `b`.
 #[inline(always)]
-pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
+pub(crate) fn fast_two_sum(a: operand!(), b: operand!()) -> DoubleDouble {
+    let (a, b): (Number, Number) = (a.into(), b.into());
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// `a + b` exactly, where neither is negative.
 #[inline(always)]
-pub(crate) fn two_sum_positive(a: f64, b: f64) -> DoubleDouble {
-    fast_two_sum(super::select(a > b, a, b), super::select(a > b, b, a))
+pub(crate) fn two_sum_positive(a: operand!(), b: operand!()) -> DoubleDouble {
+    let (a, b): (Number, Number) = (a.into(), b.into());
+    fast_two_sum(super::select(a.is_above(b), a, b), super::select(a.is_above(b), b, a))
 }
 
 /// `a * b` exactly.
 #[inline(always)]
-pub(crate) fn two_product(a: f64, b: f64) -> DoubleDouble {
+pub(crate) fn two_product(a: Number, b: Number) -> DoubleDouble {
     let hi = a * b;
     DoubleDouble { hi, lo: product_error(a, b, hi) }
 }
 
 /// `a²` exactly.
 #[inline(always)]
-pub(crate) fn two_square(a: f64) -> DoubleDouble {
+pub(crate) fn two_square(a: Number) -> DoubleDouble {
     let hi = a * a;
-    #[cfg(feature = "std")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     if FUSED {
         return DoubleDouble { hi, lo: a.mul_add(a, -hi) };
     }
@@ -88,15 +94,20 @@ pub(crate) fn two_square(a: f64) -> DoubleDouble {
 }
 
 impl DoubleDouble {
+    /// The same of every number there is.
+    pub const fn constant(hi: f64, lo: f64) -> Self {
+        DoubleDouble { hi: super::constant(hi), lo: super::constant(lo) }
+    }
+
     /// A double as it is.
     #[inline(always)]
-    pub fn from(a: f64) -> Self {
-        DoubleDouble { hi: a, lo: 0.0 }
+    pub fn from(a: operand!()) -> Self {
+        DoubleDouble { hi: a.into(), lo: Number::from(0.0) }
     }
 
     /// The nearest double.
     #[inline(always)]
-    pub fn round(self) -> f64 {
+    pub fn round(self) -> Number {
         self.hi + self.lo
     }
 
@@ -115,7 +126,7 @@ impl DoubleDouble {
 
     /// `self + b` where `b` is one double.
     #[inline(always)]
-    pub fn add_double(self, b: f64) -> Self {
+    pub fn add_double(self, b: operand!()) -> Self {
         let sum = two_sum(self.hi, b);
         fast_two_sum(sum.hi, sum.lo + self.lo)
     }
@@ -148,7 +159,7 @@ impl DoubleDouble {
 
     /// `self + b` where neither is negative; left as it falls, the words nearly apart.
     #[inline(always)]
-    pub fn add_positive(self, b: f64) -> Self {
+    pub fn add_positive(self, b: operand!()) -> Self {
         let sum = two_sum_positive(self.hi, b);
         DoubleDouble { hi: sum.hi, lo: sum.lo + self.lo }
     }
@@ -177,7 +188,7 @@ impl DoubleDouble {
 
     /// `self * b` where `b` is one double, as `times`.
     #[inline(always)]
-    pub fn times_double(self, b: f64) -> Self {
+    pub fn times_double(self, b: Number) -> Self {
         let product = two_product(self.hi, b);
         DoubleDouble { hi: product.hi, lo: product.lo + self.lo * b }
     }
@@ -191,25 +202,26 @@ impl DoubleDouble {
 
     /// `self / b`, rounded.
     #[inline(always)]
-    pub fn quotient(self, b: Self) -> f64 {
+    pub fn quotient(self, b: Self) -> Number {
         self.quotient_by(b, 1.0 / b.hi)
     }
 
     /// `self / b`, rounded, given a double next to `1 / b.hi`.
     #[inline(always)]
-    pub fn quotient_by(self, b: Self, inverse: f64) -> f64 {
+    pub fn quotient_by(self, b: Self, inverse: Number) -> Number {
         self.div_by(b, inverse).round()
     }
 
     /// `self * b` where `b` is a power of two.
     #[inline(always)]
-    pub fn scale(self, b: f64) -> Self {
+    pub fn scale(self, b: operand!()) -> Self {
+        let b: Number = b.into();
         DoubleDouble { hi: self.hi * b, lo: self.lo * b }
     }
 
     /// `self / b`, given `inverse`, a double next to `1 / b.hi`; to 2⁻¹⁰⁰ of itself, as `times`.
     #[inline(always)]
-    pub fn div_by(self, b: Self, inverse: f64) -> Self {
+    pub fn div_by(self, b: Self, inverse: Number) -> Self {
         let quotient = self.hi * inverse;
         let rest = rest_of_product(self.hi, quotient, b.hi) + (self.lo - quotient * b.lo);
         DoubleDouble { hi: quotient, lo: rest * inverse }
@@ -223,7 +235,7 @@ impl DoubleDouble {
 
     /// `self / b` where `b` is one double, as `div_by`.
     #[inline(always)]
-    pub fn div_double(self, b: f64) -> Self {
+    pub fn div_double(self, b: Number) -> Self {
         let inverse = 1.0 / b;
         let quotient = self.hi * inverse;
         let rest = rest_of_product(self.hi, quotient, b) + self.lo;
@@ -233,7 +245,7 @@ impl DoubleDouble {
     /// `self - a²`, which is nearly zero. (Not by `rest_of_product`: then the compiler no longer unites
     /// the roots of two cases, and the offset forms of Lambert's W take a sixth longer.)
     #[inline(always)]
-    pub fn less_square(self, a: f64) -> f64 {
+    pub fn less_square(self, a: Number) -> Number {
         let square = two_square(a);
         ((self.hi - square.hi) - square.lo) + self.lo
     }
@@ -248,7 +260,7 @@ impl DoubleDouble {
 
     /// `a` where the condition holds, else `b`.
     #[inline(always)]
-    pub fn select(condition: bool, a: Self, b: Self) -> Self {
+    pub fn select(condition: Mask, a: Self, b: Self) -> Self {
         DoubleDouble {
             hi: super::select(condition, a.hi, b.hi),
             lo: super::select(condition, a.lo, b.lo),

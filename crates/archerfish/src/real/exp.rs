@@ -4,7 +4,7 @@
 //! `m = eʳ − 1 = r + r²/2 + r³ p(r)`, the first two terms as exact sums.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
-use super::{LN2_HI, LN2_LO, nearest_integer, polynomial, power_of_two, select};
+use super::{LN2_HI, LN2_LO, Number, Order, nearest_integer, polynomial, power_of_two, select};
 
 // exp_tail: minimax on [-0.346608, 0.346608], degree 9,
 // weighted error 5.67e-19: reference/coefficients.py exp_tail
@@ -23,18 +23,19 @@ const EXP_TAIL: [f64; 10] = [
 
 /// `eˣ = 2ⁿ (1 + r + half_square + rest)`, n an integer, |r| < 0.35, the sum to 2⁻⁵⁹ of itself.
 pub(crate) struct Exponential {
-    pub n: f64,
-    pub r: f64,
+    pub n: Number,
+    pub r: Number,
     /// `(eʳ − 1 − r − r²/2)/r³`
-    pub bend: f64,
-    half_square: f64,
-    rest: f64,
+    pub bend: Number,
+    half_square: Number,
+    rest: Number,
 }
 
 impl Exponential {
     /// Of a number below 2¹⁰ in size.
-    #[inline(always)]
-    pub fn of(x: f64) -> Self {
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn of(x: Number) -> Self {
         let n = nearest_integer(x * core::f64::consts::LOG2_E);
         let r = fast_two_sum(x - n * LN2_HI, -(n * LN2_LO));
         let square = two_square(r.hi);
@@ -77,14 +78,14 @@ impl Exponential {
 
 /// Arguments beyond which nothing changes any more: e⁷¹⁰ overflows, e⁻⁷⁴⁶ is zero.
 #[inline(always)]
-fn clamp(x: f64) -> f64 {
-    let x = select(x > 710.0, 710.0, x);
-    select(x < -746.0, -746.0, x)
+fn clamp(x: Number) -> Number {
+    let x = select(x.is_above(710.0), 710.0, x);
+    select(x.is_below(-746.0), -746.0, x)
 }
 
 /// `eˣ`.
 #[inline(always)]
-pub fn exp(x: f64) -> f64 {
+pub fn exp(x: Number) -> Number {
     let exponential = Exponential::of(clamp(x));
     let half = nearest_integer(0.5 * exponential.n);
     // in two steps: neither overflows before the result does, and a subnormal is rounded once
@@ -95,14 +96,14 @@ pub fn exp(x: f64) -> f64 {
 
 /// `eˣ − 1`.
 #[inline(always)]
-pub fn exp_m1(x: f64) -> f64 {
+pub fn exp_m1(x: Number) -> Number {
     // below −60 the result is −1 to the last bit, and a smaller power of two would be useless
-    let exponential = Exponential::of(select(x < -60.0, -60.0, clamp(x)));
+    let exponential = Exponential::of(select(x.is_below(-60.0), -60.0, clamp(x)));
     // half of the power, so that x between 709.4 and 709.78 does not overflow on the way
     let half_power = power_of_two(exponential.n - 1.0);
     let whole = two_sum(half_power, -0.5);
     let scaled = exponential.excess().scale(half_power);
     let sum = two_sum(whole.hi, scaled.hi);
     let regular = 2.0 * (sum.hi + (sum.lo + (whole.lo + scaled.lo)));
-    select(x.abs() < 1e-300, x, regular)
+    select(x.abs().is_below(1e-300), x, regular)
 }

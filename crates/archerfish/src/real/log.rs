@@ -6,7 +6,9 @@
 //! rounded.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_sum};
-use super::{LN2_HI, LN2_LO, exponent_and_significand, polynomial, power_of_two, select};
+use super::{
+    LN2_HI, LN2_LO, Number, Order, exponent_and_significand, polynomial, power_of_two, select,
+};
 
 // atanh_tail: minimax on [0.0, 0.0294402], degree 6,
 // weighted error 1.11e-18: reference/coefficients.py atanh_tail
@@ -19,11 +21,11 @@ const ATANH_TAIL: [f64; 7] = [
     0.06635058852988684,
     0.06537250941124745,
 ];
-const THIRD: DoubleDouble = DoubleDouble { hi: 0.3333333333333333, lo: 1.850371707708594e-17 };
+const THIRD: DoubleDouble = DoubleDouble::constant(0.3333333333333333, 1.850371707708594e-17);
 
 /// The pieces of `ln w`, `w = 2ᵏ (1 + f)`.
 pub(crate) struct Logarithm {
-    pub k: f64,
+    pub k: Number,
     /// `f / (2 + f)`
     pub s: DoubleDouble,
     /// `ρ(s²)`, between 1/3 and 0.34, to 2⁻⁵⁸ of itself
@@ -33,12 +35,13 @@ pub(crate) struct Logarithm {
 impl Logarithm {
     /// `ρ(z)`, rounded, for z in [0, 0.0294].
     #[inline(always)]
-    pub fn artanh_excess(z: f64) -> f64 {
+    pub fn artanh_excess(z: Number) -> Number {
         THIRD.hi + z * polynomial(z, &ATANH_TAIL)
     }
 
     /// Of a positive normal number `w.hi + w.lo`.
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn of(w: DoubleDouble) -> Self {
         let (k, m) = exponent_and_significand(w.hi);
         Logarithm::of_parts(w, k, m, |z| {
@@ -49,9 +52,14 @@ impl Logarithm {
 
     /// Of `w = 2ᵏ m + w.lo`, given ρ for where s² then lies.
     #[inline(always)]
-    pub fn of_parts(w: DoubleDouble, k: f64, m: f64, rho: impl Fn(f64) -> DoubleDouble) -> Self {
+    pub fn of_parts(
+        w: DoubleDouble,
+        k: Number,
+        m: Number,
+        rho: impl Fn(Number) -> DoubleDouble,
+    ) -> Self {
         // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside ln w
-        let low = w.lo * power_of_two(-select(k > 1000.0, 1000.0, k));
+        let low = w.lo * power_of_two(-select(k.is_above(1000.0), 1000.0, k));
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
@@ -61,7 +69,7 @@ impl Logarithm {
 
     /// `2 s³ ρ(s²)`, the rounded part of `ln(1 + f)`; `2s` is the other.
     #[inline(always)]
-    pub fn tail(&self) -> f64 {
+    pub fn tail(&self) -> Number {
         2.0 * self.s.hi * (self.s.hi * self.s.hi) * self.rho.hi
     }
 
@@ -76,23 +84,23 @@ impl Logarithm {
 
 /// `ln x`.
 #[inline(always)]
-pub fn ln(x: f64) -> f64 {
-    let subnormal = x < f64::MIN_POSITIVE;
+pub fn ln(x: Number) -> Number {
+    let subnormal = x.is_below(f64::MIN_POSITIVE);
     let scaled = select(subnormal, x * 18014398509481984.0, x); // 2⁵⁴
     let mut logarithm = Logarithm::of(DoubleDouble::from(scaled));
     logarithm.k -= select(subnormal, 54.0, 0.0);
     let regular = logarithm.value().round();
-    let regular = select(x == f64::INFINITY, x, regular);
-    let regular = select(x == 0.0, f64::NEG_INFINITY, regular);
-    select(x >= 0.0, regular, f64::NAN)
+    let regular = select(x.equals(f64::INFINITY), x, regular);
+    let regular = select(x.equals(0.0), f64::NEG_INFINITY, regular);
+    select(x.is_at_least(0.0), regular, f64::NAN)
 }
 
 /// `ln(1 + x)`.
 #[inline(always)]
-pub fn ln_1p(x: f64) -> f64 {
+pub fn ln_1p(x: Number) -> Number {
     let regular = Logarithm::of(two_sum(1.0, x)).value().round();
-    let regular = select(x == f64::INFINITY, x, regular);
-    let regular = select(x == -1.0, f64::NEG_INFINITY, regular);
-    let regular = select(x >= -1.0, regular, f64::NAN);
-    select(x.abs() < 1e-300, x, regular)
+    let regular = select(x.equals(f64::INFINITY), x, regular);
+    let regular = select(x.equals(-1.0), f64::NEG_INFINITY, regular);
+    let regular = select(x.is_at_least(-1.0), regular, f64::NAN);
+    select(x.abs().is_below(1e-300), x, regular)
 }

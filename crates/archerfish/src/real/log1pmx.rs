@@ -6,7 +6,7 @@
 //! which the exact errors of three sums keep.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_product};
-use super::{LN2_HI, LN2_LO, exponent_field, polynomial, select};
+use super::{Integer, LN2_HI, LN2_LO, Number, Order, exponent_field, polynomial, select};
 
 // log1pmx_tail: minimax on [0.0, 0.0401], degree 7,
 // weighted error 1.85e-17: reference/coefficients.py log1pmx_tail
@@ -23,16 +23,16 @@ const LOG1PMX_TAIL: [f64; 8] = [
 
 /// `ln(1 + x) − x`.
 #[inline(always)]
-pub fn log1pmx(x: f64) -> f64 {
+pub fn log1pmx(x: Number) -> Number {
     const THREE_QUARTERS: u64 = 0x3fe8_0000_0000_0000;
     const ONE: u64 = 0x3ff0_0000_0000_0000;
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let shifted = (1.0 + x).to_bits().wrapping_add(ONE - THREE_QUARTERS);
-    let k = exponent_field(f64::from_bits(shifted));
+    let k = exponent_field(Number::from_bits(shifted));
     let power = shifted & EXPONENT;
-    let inverse = f64::from_bits((2 * ONE).wrapping_sub(power));
+    let inverse = Number::from_bits(Integer::from(2 * ONE).wrapping_sub(power));
     // exact: 2ᵏ − 1 and x are within a factor of two, or k is 0
-    let f = (x - (f64::from_bits(power) - 1.0)) * inverse;
+    let f = (x - (Number::from_bits(power) - 1.0)) * inverse;
 
     let denominator = fast_two_sum(2.0, f);
     let inverse = 1.0 / denominator.hi;
@@ -40,7 +40,8 @@ pub fn log1pmx(x: f64) -> f64 {
     // k ln 2 and −x have opposite signs, and the negative one is the greater; the next two sums are
     // exact or of a greater and a smaller number too
     let whole = k * LN2_HI;
-    let below = fast_two_sum(select(whole < -x, whole, -x), select(whole < -x, -x, whole));
+    let below =
+        fast_two_sum(select(whole.is_below(-x), whole, -x), select(whole.is_below(-x), -x, whole));
     let bracket = fast_two_sum(below.hi, f);
     let rest = k * LN2_LO + (below.lo + bracket.lo);
 
@@ -54,8 +55,8 @@ pub fn log1pmx(x: f64) -> f64 {
     let small = (tail - (product.lo + s.lo * (f - 2.0 * z))) + rest;
     let regular = sum.hi + (sum.lo + small);
     // the parts of x²/2 underflow before it does
-    let regular = select(x.abs() < 1e-140, -(0.5 * x * x), regular);
-    let regular = select(x > 1e100, -x, regular);
-    let regular = select(x == -1.0, f64::NEG_INFINITY, regular);
-    select(x >= -1.0, regular, f64::NAN)
+    let regular = select(x.abs().is_below(1e-140), -(0.5 * x * x), regular);
+    let regular = select(x.is_above(1e100), -x, regular);
+    let regular = select(x.equals(-1.0), f64::NEG_INFINITY, regular);
+    select(x.is_at_least(-1.0), regular, f64::NAN)
 }

@@ -16,6 +16,9 @@ mod polynomial;
 mod sqrt;
 mod trigonometric;
 
+pub(crate) use super::{Integer, Mask, Number, constant};
+pub(crate) use crate::number::{Bits, Order};
+
 pub use atan::{atan, atan2};
 pub use exp::{exp, exp_m1};
 pub use log::{ln, ln_1p};
@@ -31,15 +34,15 @@ pub(crate) use trigonometric::{sin_cos_extended, sin_cos_upper};
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
 #[inline(always)]
-pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {
-    if condition { a } else { b }
+pub(crate) fn select(condition: Mask, a: operand!(), b: operand!()) -> Number {
+    Number::select(condition, a.into(), b.into())
 }
 
 /// `2ⁿ` for an integer `n` in [−1022, 1023], held in a double.
 #[inline(always)]
-pub(crate) fn power_of_two(n: f64) -> f64 {
+pub(crate) fn power_of_two(n: Number) -> Number {
     // 1.5·2⁵² + 1023 + n has 1023 + n in its low bits
-    f64::from_bits((n + (MAGIC + 1023.0)).to_bits() << 52)
+    Number::from_bits((n + (MAGIC + 1023.0)).to_bits() << 52)
 }
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer, which then also stands in
@@ -48,39 +51,39 @@ pub(crate) const MAGIC: f64 = 6755399441055744.0; // 1.5·2⁵²
 
 /// The integer nearest to `x`, |x| < 2⁵¹.
 #[inline(always)]
-pub(crate) fn nearest_integer(x: f64) -> f64 {
+pub(crate) fn nearest_integer(x: Number) -> Number {
     (x + MAGIC) - MAGIC
 }
 
 /// `(k, m)` with `w = 2ᵏ m` and m in [√½, √2), for a positive normal w.
 #[inline(always)]
-pub(crate) fn exponent_and_significand(w: f64) -> (f64, f64) {
+pub(crate) fn exponent_and_significand(w: Number) -> (Number, Number) {
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     const ONE: u64 = 0x3ff0_0000_0000_0000;
     const EXPONENT: u64 = 0xfff0_0000_0000_0000;
     let bits = w.to_bits();
     let shifted = bits.wrapping_add(ONE - SQRT_HALF);
-    let k = exponent_field(f64::from_bits(shifted));
-    let m = f64::from_bits(bits.wrapping_sub((shifted & EXPONENT).wrapping_sub(ONE)));
+    let k = exponent_field(Number::from_bits(shifted));
+    let m = Number::from_bits(bits.wrapping_sub((shifted & EXPONENT).wrapping_sub(ONE)));
     (k, m)
 }
 
 /// `(k, (2ᵏ, 2⁻ᵏ))` with 2ᵏ ≤ w < 2ᵏ⁺¹, for w ≥ 1; for w ≥ 2¹⁰²³ the last is 0.
 #[inline(always)]
-pub(crate) fn power_and_inverse(w: f64) -> (f64, (f64, f64)) {
+pub(crate) fn power_and_inverse(w: Number) -> (Number, (Number, Number)) {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     const TWICE_BIAS: u64 = 2046 << 52;
     let power = w.to_bits() & EXPONENT;
-    let inverse = f64::from_bits(TWICE_BIAS.wrapping_sub(power));
-    (exponent_field(w), (f64::from_bits(power), inverse))
+    let inverse = Number::from_bits(Integer::from(TWICE_BIAS).wrapping_sub(power));
+    (exponent_field(w), (Number::from_bits(power), inverse))
 }
 
 /// The exponent that the bits of a positive normal number hold, as a double.
 #[inline(always)]
-pub(crate) fn exponent_field(w: f64) -> f64 {
+pub(crate) fn exponent_field(w: Number) -> Number {
     // the bits of 2⁵² + n hold the integer n
     const TWO_52: f64 = 4503599627370496.0;
-    f64::from_bits((w.to_bits() >> 52) | TWO_52.to_bits()) - (TWO_52 + 1023.0)
+    Number::from_bits((w.to_bits() >> 52) | TWO_52.to_bits()) - (TWO_52 + 1023.0)
 }
 
 /// High and low part of ln 2; the high part has 42 bits, so that integers below 2¹¹ multiply it

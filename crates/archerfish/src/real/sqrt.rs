@@ -1,9 +1,12 @@
 //! Square root: an instruction everywhere, correctly rounded by IEEE 754.
 
+#[cfg(feature = "std")]
+use super::Number;
+
 /// `√x`.
 #[cfg(feature = "std")]
 #[inline(always)]
-pub fn sqrt(x: f64) -> f64 {
+pub fn sqrt(x: Number) -> Number {
     x.sqrt()
 }
 
@@ -38,7 +41,7 @@ fn sqrt_by_bits(x: f64) -> f64 {
     // a root with a 54th bit is never exact, so half rounds up
     let rounded = ((root + 1) >> 1) as u64;
     let half = (exponent - odd) / 2 - shift + 1023;
-    f64::from_bits((half as u64) << 52).to_owned() * (rounded as f64 / 4503599627370496.0)
+    f64::from_bits((half as u64) << 52) * (rounded as f64 / 4503599627370496.0)
 }
 
 #[cfg(test)]

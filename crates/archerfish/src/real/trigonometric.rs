@@ -4,7 +4,7 @@
 //! exactly; `sin r = r + r³ S(r²)`, `cos r = 1 − r²/2 + r⁴ C(r²)`.
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
-use super::{MAGIC, polynomial, select};
+use super::{Bits, MAGIC, Mask, Number, Order, polynomial, select};
 
 // sin_tail: minimax on [0.0, 0.616912], degree 5,
 // weighted error 5.38e-18: reference/coefficients.py sin_tail
@@ -40,8 +40,12 @@ fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let DoubleDouble { hi: z, lo: z_low } = two_square(r.hi);
     // the leading term −r³/6 apart: it is a seventh of sin r, and its roundings are felt
     let cube = r.hi * z;
-    let [sixth, tail @ ..] = SIN_TAIL;
-    let small = cube * (z * polynomial(z, &tail)) + r.hi * (sixth * z_low);
+    const SIN_REST: [f64; 5] = {
+        let [_, rest @ ..] = SIN_TAIL;
+        rest
+    };
+    let sixth = SIN_TAIL[0];
+    let small = cube * (z * polynomial(z, &SIN_REST)) + r.hi * (sixth * z_low);
     let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
     let cos = fast_two_sum(1.0, -0.5 * z);
     let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * z_low + r.hi * r.lo);
@@ -49,17 +53,18 @@ fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 }
 
 /// `sin x` and `cos x` for |x| ≤ 2π, each to 2⁻⁵⁶ of itself.
-#[inline(always)]
-pub(crate) fn sin_cos_extended(x: f64) -> (DoubleDouble, DoubleDouble) {
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     let shifted = x * core::f64::consts::FRAC_2_PI + MAGIC;
     let k = shifted - MAGIC;
     let quadrant = shifted.to_bits();
     let r = two_sum(x - k * HALF_PI[0], -(k * HALF_PI[1]));
     let r = DoubleDouble { hi: r.hi, lo: r.lo - k * HALF_PI[2] };
     let (sin, cos) = sin_cos_reduced(r);
-    let odd = quadrant & 1 == 1;
-    let sin_sign = select(quadrant & 2 == 0, 1.0, -1.0);
-    let cos_sign = select((quadrant.wrapping_add(1)) & 2 == 0, 1.0, -1.0);
+    let odd = quadrant.has(1);
+    let sin_sign = select(quadrant.has(2), -1.0, 1.0);
+    let cos_sign = select(quadrant.wrapping_add(1).has(2), -1.0, 1.0);
     (
         DoubleDouble::select(odd, cos, sin).scale(sin_sign),
         DoubleDouble::select(odd, sin, cos).scale(cos_sign),
@@ -70,48 +75,48 @@ pub(crate) fn sin_cos_extended(x: f64) -> (DoubleDouble, DoubleDouble) {
 ///
 /// The differences to π/2 and π are exact, and the left of the half-turn is the mirror image.
 #[inline(always)]
-pub(crate) fn sin_cos_upper(x: f64) -> (DoubleDouble, DoubleDouble) {
+pub(crate) fn sin_cos_upper(x: Number) -> (DoubleDouble, DoubleDouble) {
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
-    let (upright, left) = (x > FRAC_PI_4, x > 3.0 * FRAC_PI_4);
+    let (upright, left) = (x.is_above(FRAC_PI_4), x.is_above(3.0 * FRAC_PI_4));
     let rest = select(left, 2.0 * FRAC_PI_2_LO, select(upright, -FRAC_PI_2_LO, 0.0));
     let r = select(left, PI - x, x - select(upright, FRAC_PI_2, 0.0));
     let (sin, cos) = sin_cos_reduced(fast_two_sum(r, rest));
-    let turned = upright & (x <= 3.0 * FRAC_PI_4);
+    let turned = upright & x.is_at_most(3.0 * FRAC_PI_4);
     let across = DoubleDouble::select(turned, sin, cos);
     (DoubleDouble::select(turned, cos, sin), DoubleDouble::select(upright, across.neg(), across))
 }
 
 /// Whether the functions of this file take `x`: |x| ≤ 2π.
 #[inline(always)]
-fn in_domain(x: f64) -> bool {
-    x.abs() <= core::f64::consts::TAU
+fn in_domain(x: Number) -> Mask {
+    x.abs().is_at_most(core::f64::consts::TAU)
 }
 
 /// `(sin x, cos x)` for x in [−2π, 2π]; NaN outside.
 #[inline(always)]
-pub fn sin_cos(x: f64) -> (f64, f64) {
+pub fn sin_cos(x: Number) -> (Number, Number) {
     let (sin, cos) = sin_cos_extended(x);
-    let sin = select(x.abs() < 1e-300, x, sin.round());
+    let sin = select(x.abs().is_below(1e-300), x, sin.round());
     (select(in_domain(x), sin, f64::NAN), select(in_domain(x), cos.round(), f64::NAN))
 }
 
 /// `sin x` for x in [−2π, 2π]; NaN outside.
 #[inline(always)]
-pub fn sin(x: f64) -> f64 {
+pub fn sin(x: Number) -> Number {
     sin_cos(x).0
 }
 
 /// `cos x` for x in [−2π, 2π]; NaN outside.
 #[inline(always)]
-pub fn cos(x: f64) -> f64 {
+pub fn cos(x: Number) -> Number {
     sin_cos(x).1
 }
 
 /// `tan x` for x in [−2π, 2π]; NaN outside.
 #[inline(always)]
-pub fn tan(x: f64) -> f64 {
+pub fn tan(x: Number) -> Number {
     let (sin, cos) = sin_cos_extended(x);
-    let regular = select(x.abs() < 1e-300, x, sin.div(cos).round());
+    let regular = select(x.abs().is_below(1e-300), x, sin.div(cos).round());
     select(in_domain(x), regular, f64::NAN)
 }

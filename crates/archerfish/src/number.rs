@@ -1,0 +1,74 @@
+//! What a number of the kernels can do besides + − × ÷.
+//!
+//! The kernels are written over `Number`, which is f64; in a browser they are compiled once more, with
+//! two doubles side by side in its place (`pair.rs`).
+
+/// Comparisons.
+pub(crate) trait Order: Copy {
+    /// What a comparison gives: `bool`, or one for each double.
+    type Mask;
+    fn is_below(self, bound: impl Into<Self>) -> Self::Mask;
+    fn is_above(self, bound: impl Into<Self>) -> Self::Mask;
+    fn is_at_most(self, bound: impl Into<Self>) -> Self::Mask;
+    fn is_at_least(self, bound: impl Into<Self>) -> Self::Mask;
+    fn equals(self, other: impl Into<Self>) -> Self::Mask;
+    /// `a` where the condition holds, else `b`.
+    fn select(condition: Self::Mask, a: Self, b: Self) -> Self;
+}
+
+impl Order for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn is_below(self, bound: impl Into<f64>) -> bool {
+        self < bound.into()
+    }
+
+    #[inline(always)]
+    fn is_above(self, bound: impl Into<f64>) -> bool {
+        self > bound.into()
+    }
+
+    #[inline(always)]
+    fn is_at_most(self, bound: impl Into<f64>) -> bool {
+        self <= bound.into()
+    }
+
+    #[inline(always)]
+    fn is_at_least(self, bound: impl Into<f64>) -> bool {
+        self >= bound.into()
+    }
+
+    #[inline(always)]
+    fn equals(self, other: impl Into<f64>) -> bool {
+        self == other.into()
+    }
+
+    #[inline(always)]
+    fn select(condition: bool, a: f64, b: f64) -> f64 {
+        if condition { a } else { b }
+    }
+}
+
+/// The bits of a number, as an integer.
+pub(crate) trait Bits {
+    type Mask;
+    /// Whether this bit is set.
+    fn has(self, bit: u64) -> Self::Mask;
+    /// These bits where the condition holds, else none.
+    fn when(condition: Self::Mask, bits: u64) -> Self;
+}
+
+impl Bits for u64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn has(self, bit: u64) -> bool {
+        self & bit == bit
+    }
+
+    #[inline(always)]
+    fn when(condition: bool, bits: u64) -> u64 {
+        if condition { bits } else { 0 }
+    }
+}

@@ -1,0 +1,292 @@
+//! Two doubles side by side, in one of WebAssembly's vectors: a `Number` of the kernels.
+
+use core::arch::wasm32::*;
+use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub};
+
+use crate::number::{Bits, Order};
+
+/// Two doubles.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct Pair(v128);
+
+/// Of each double whether something holds: all its bits, or none.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct PairMask(v128);
+
+/// The bits of each double.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct PairBits(v128);
+
+impl From<f64> for Pair {
+    #[inline(always)]
+    fn from(x: f64) -> Self {
+        Pair(f64x2_splat(x))
+    }
+}
+
+impl From<[f64; 2]> for Pair {
+    #[inline(always)]
+    fn from(pair: [f64; 2]) -> Self {
+        // SAFETY: two doubles are a vector.
+        Pair(unsafe { core::mem::transmute::<[f64; 2], v128>(pair) })
+    }
+}
+
+impl From<Pair> for [f64; 2] {
+    #[inline(always)]
+    fn from(pair: Pair) -> Self {
+        // SAFETY: a vector is two doubles.
+        unsafe { core::mem::transmute::<v128, [f64; 2]>(pair.0) }
+    }
+}
+
+impl Pair {
+    /// The same number twice.
+    pub const fn of(x: f64) -> Self {
+        Pair(f64x2(x, x))
+    }
+
+    #[inline(always)]
+    pub fn to_bits(self) -> PairBits {
+        PairBits(self.0)
+    }
+
+    #[inline(always)]
+    pub fn from_bits(bits: PairBits) -> Self {
+        Pair(bits.0)
+    }
+
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Pair(f64x2_sqrt(self.0))
+    }
+
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Pair(f64x2_abs(self.0))
+    }
+
+    #[inline(always)]
+    pub fn copysign(self, sign: Self) -> Self {
+        Pair(v128_bitselect(sign.0, self.0, f64x2_splat(-0.0)))
+    }
+
+    #[inline(always)]
+    pub fn is_nan(self) -> PairMask {
+        PairMask(f64x2_ne(self.0, self.0))
+    }
+}
+
+impl Order for Pair {
+    type Mask = PairMask;
+
+    #[inline(always)]
+    fn is_below(self, bound: impl Into<Self>) -> PairMask {
+        PairMask(f64x2_lt(self.0, bound.into().0))
+    }
+
+    #[inline(always)]
+    fn is_above(self, bound: impl Into<Self>) -> PairMask {
+        PairMask(f64x2_gt(self.0, bound.into().0))
+    }
+
+    #[inline(always)]
+    fn is_at_most(self, bound: impl Into<Self>) -> PairMask {
+        PairMask(f64x2_le(self.0, bound.into().0))
+    }
+
+    #[inline(always)]
+    fn is_at_least(self, bound: impl Into<Self>) -> PairMask {
+        PairMask(f64x2_ge(self.0, bound.into().0))
+    }
+
+    #[inline(always)]
+    fn equals(self, other: impl Into<Self>) -> PairMask {
+        PairMask(f64x2_eq(self.0, other.into().0))
+    }
+
+    #[inline(always)]
+    fn select(condition: PairMask, a: Self, b: Self) -> Self {
+        Pair(v128_bitselect(a.0, b.0, condition.0))
+    }
+}
+
+/// An operation between pairs, and between a pair and one double.
+macro_rules! arithmetic {
+    ($($trait:ident::$method:ident = $instruction:ident;)+) => {$(
+        impl $trait for Pair {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                Pair($instruction(self.0, b.0))
+            }
+        }
+
+        impl $trait<f64> for Pair {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, b: f64) -> Self {
+                self.$method(Pair::from(b))
+            }
+        }
+
+        impl $trait<Pair> for f64 {
+            type Output = Pair;
+
+            #[inline(always)]
+            fn $method(self, b: Pair) -> Pair {
+                Pair::from(self).$method(b)
+            }
+        }
+    )+};
+}
+
+arithmetic! {
+    Add::add = f64x2_add;
+    Sub::sub = f64x2_sub;
+    Mul::mul = f64x2_mul;
+    Div::div = f64x2_div;
+}
+
+impl Neg for Pair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pair(f64x2_neg(self.0))
+    }
+}
+
+impl MulAssign for Pair {
+    #[inline(always)]
+    fn mul_assign(&mut self, b: Self) {
+        *self = *self * b;
+    }
+}
+
+impl core::ops::SubAssign for Pair {
+    #[inline(always)]
+    fn sub_assign(&mut self, b: Self) {
+        *self = *self - b;
+    }
+}
+
+/// An operation between masks.
+macro_rules! logic {
+    ($($trait:ident::$method:ident = $instruction:ident;)+) => {$(
+        impl $trait for PairMask {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                PairMask($instruction(self.0, b.0))
+            }
+        }
+    )+};
+}
+
+logic! {
+    BitAnd::bitand = v128_and;
+    BitOr::bitor = v128_or;
+    BitXor::bitxor = v128_xor;
+}
+
+impl Not for PairMask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        PairMask(v128_not(self.0))
+    }
+}
+
+impl From<bool> for PairMask {
+    #[inline(always)]
+    fn from(holds: bool) -> Self {
+        PairMask(i64x2_splat(-i64::from(holds)))
+    }
+}
+
+impl From<u64> for PairBits {
+    #[inline(always)]
+    fn from(bits: u64) -> Self {
+        PairBits(u64x2_splat(bits))
+    }
+}
+
+impl Bits for PairBits {
+    type Mask = PairMask;
+
+    #[inline(always)]
+    fn has(self, bit: u64) -> PairMask {
+        let bit = u64x2_splat(bit);
+        PairMask(i64x2_eq(v128_and(self.0, bit), bit))
+    }
+
+    #[inline(always)]
+    fn when(condition: PairMask, bits: u64) -> Self {
+        PairBits(v128_and(condition.0, u64x2_splat(bits)))
+    }
+}
+
+impl PairBits {
+    #[inline(always)]
+    pub fn wrapping_add(self, b: impl Into<Self>) -> Self {
+        PairBits(i64x2_add(self.0, b.into().0))
+    }
+
+    #[inline(always)]
+    pub fn wrapping_sub(self, b: impl Into<Self>) -> Self {
+        PairBits(i64x2_sub(self.0, b.into().0))
+    }
+}
+
+impl BitAnd<u64> for PairBits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, b: u64) -> Self {
+        PairBits(v128_and(self.0, u64x2_splat(b)))
+    }
+}
+
+impl BitOr<u64> for PairBits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, b: u64) -> Self {
+        PairBits(v128_or(self.0, u64x2_splat(b)))
+    }
+}
+
+impl BitXor for PairBits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitxor(self, b: Self) -> Self {
+        PairBits(v128_xor(self.0, b.0))
+    }
+}
+
+impl Shl<u32> for PairBits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn shl(self, by: u32) -> Self {
+        PairBits(i64x2_shl(self.0, by))
+    }
+}
+
+impl Shr<u32> for PairBits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn shr(self, by: u32) -> Self {
+        PairBits(u64x2_shr(self.0, by))
+    }
+}
