@@ -27,10 +27,10 @@ pub use crate::pairs::{Kernel, evaluate};
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
-    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
+    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident $(in $twins:ident)?;)+) => {
         $(batch! {
             #[doc = concat!("[`", stringify!($module), "::", stringify!($kernel), "`](crate::", stringify!($module), "::", stringify!($kernel), ") over slices.")]
-            $name, $module::$kernel, $($x),+ => $out
+            $name, $module::$kernel, $($x),+ => $out $($twins)?
         })+
         /// Every function of this shape, by its public name.
         pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];
@@ -38,19 +38,19 @@ macro_rules! table {
 }
 
 table! { UNARY: UnaryBatch => (out);
-    lambertw0(z) = lambert::lambertw0;
-    lambertwm1(z) = lambert::lambertwm1;
-    lambertw0_offset(d) = lambert::lambertw0_offset;
+    lambertw0(z) = lambert::lambertw0 in in_twins;
+    lambertwm1(z) = lambert::lambertwm1 in in_twins;
+    lambertw0_offset(d) = lambert::lambertw0_offset in in_twins;
     lambertwm1_offset(d) = lambert::lambertwm1_offset;
-    tree(z) = lambert::tree;
-    log1pmx(x) = real::log1pmx;
+    tree(z) = lambert::tree in in_twins;
+    log1pmx(x) = real::log1pmx in in_twins;
     optimal_angle(eps) = flight::optimal_angle;
 }
 
 table! { BINARY: BinaryBatch => (out);
-    apex_x(alpha, eps) = motion::apex_x;
+    apex_x(alpha, eps) = motion::apex_x in in_twins;
     apex_y(alpha, eps) = motion::apex_y;
-    apex_time(alpha, eps) = motion::apex_time;
+    apex_time(alpha, eps) = motion::apex_time in in_twins;
     apex_distance(alpha, eps) = motion::apex_distance;
     apex_elevation(alpha, eps) = motion::apex_elevation;
     apex_curvature(alpha, eps) = motion::apex_curvature;
@@ -68,8 +68,8 @@ table! { TERNARY: TernaryBatch => (out);
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
-    aim_low(x, y, eps) = flight::aim_low;
-    aim_high(x, y, eps) = flight::aim_high;
+    aim_low(x, y, eps) = flight::aim_low in in_twins;
+    aim_high(x, y, eps) = flight::aim_high in in_twins;
 }
 
 // A page draws them side by side, and what they share is most of the work.

@@ -71,9 +71,48 @@ macro_rules! each {
 }
 pub(crate) use each;
 
+/// Defines `avx512`, one loop over all elements or one over blocks of them.
+macro_rules! widest {
+    (, $module:ident::$kernel:ident, $($x:ident),+) => {
+        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
+        fn avx512($($x: &[f64],)+ out: &mut [f64]) {
+            fused($($x,)+ out)
+        }
+    };
+    (in_twins, $module:ident::$kernel:ident, $($x:ident),+) => {
+        // (inlined, its arguments would no longer be known not to overlap)
+        #[inline(never)]
+        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
+        fn twins(
+            $($x: &[[f64; $crate::twins::BLOCK]],)+
+            out: &mut [[f64; $crate::twins::BLOCK]],
+        ) {
+            const HALF: usize = $crate::twins::BLOCK / 2;
+            let n = out.len();
+            $(let $x = &$x[..n];)+
+            for k in 0..n {
+                for i in 0..HALF {
+                    let values = $crate::twins::$module::$kernel(
+                        $($crate::twin::Twin([$x[k][i], $x[k][HALF + i]])),+
+                    );
+                    [out[k][i], out[k][HALF + i]] = values.0;
+                }
+            }
+        }
+        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
+        fn avx512($($x: &[f64],)+ out: &mut [f64]) {
+            $(let $x = $x[..out.len()].as_chunks();)+
+            let (blocks, rest) = out.as_chunks_mut();
+            twins($($x.0,)+ blocks);
+            fused($($x.1,)+ rest)
+        }
+    };
+}
+pub(crate) use widest;
+
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out)) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out) $($in_twins:ident)?) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
             $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
@@ -85,10 +124,7 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-            fn avx512($($x: &[f64],)+ out: &mut [f64]) {
-                fused($($x,)+ out)
-            }
+            $crate::dispatch::widest!($($in_twins)?, $module::$kernel, $($x),+);
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.

@@ -28,9 +28,13 @@ mod fused;
 mod pair;
 #[cfg(all(feature = "std", target_arch = "wasm32"))]
 mod pairs;
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+mod twin;
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+mod twins;
 
-/// What the kernels compute with: a double. (In a browser they are compiled for two doubles at once
-/// as well: `pairs`.)
+/// What the kernels compute with: a double. (They are compiled for two doubles at once as well: `pairs`
+/// in a browser, `twins` for AVX-512.)
 pub type Number = f64;
 /// What a comparison of numbers gives.
 type Mask = bool;

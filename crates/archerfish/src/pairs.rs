@@ -60,13 +60,13 @@ pub fn evaluate(kernel: Kernel, inputs: [&[f64]; 3], outputs: &mut [&mut [f64]])
 
 /// Defines a [`Kernel`].
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident => $out:tt $($in_twins:ident)?) => {
         $crate::pairs::batch! { $name(x, _y, _z) = $module::$kernel(x) => $out }
     };
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident => $out:tt $($in_twins:ident)?) => {
         $crate::pairs::batch! { $name(x, y, _z) = $module::$kernel(x, y) => $out }
     };
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident, $z:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident, $z:ident => $out:tt $($in_twins:ident)?) => {
         $crate::pairs::batch! { $name(x, y, z) = $module::$kernel(x, y, z) => $out }
     };
     ($name:ident($x:ident, $y:ident, $z:ident) = $module:ident::$kernel:ident $arguments:tt => ($($out:ident),+)) => {

@@ -1,0 +1,40 @@
+//! All functions once more, from the same files, over two elements at a time, for processors with 32
+//! registers of eight numbers.
+//!
+//! The compiler takes two vectors of elements at a time in each loop (`.cargo/config.toml`). Where one
+//! result after the other is waited for, and few numbers are kept meanwhile, four are faster; in other
+//! kernels the registers would not do. With two elements in one step, two vectors are four.
+
+// what no batch needs, and files of two modules, on purpose
+#![allow(dead_code, unused_imports, clippy::duplicate_mod)]
+
+use crate::twin::Twin;
+
+pub(crate) type Number = Twin<f64>;
+pub(crate) type Mask = Twin<bool>;
+pub(crate) type Integer = Twin<u64>;
+
+pub(crate) const FUSED: bool = true;
+
+/// A constant among the numbers.
+pub(crate) const fn constant(x: f64) -> Number {
+    Twin::of(x)
+}
+
+macro_rules! operand {
+    () => {
+        impl Into<$crate::twins::Number>
+    };
+}
+
+#[path = "flight/mod.rs"]
+pub mod flight;
+#[path = "lambert/mod.rs"]
+pub mod lambert;
+#[path = "motion/mod.rs"]
+pub mod motion;
+#[path = "real/mod.rs"]
+pub mod real;
+
+/// Elements of a block: the first half of it goes in step with the second, each as two vectors.
+pub(crate) const BLOCK: usize = 32;
