@@ -71,14 +71,9 @@ macro_rules! each {
 }
 pub(crate) use each;
 
-/// Defines `avx512`, one loop over all elements or one over blocks of them.
-macro_rules! widest {
-    (, $module:ident::$kernel:ident, $($x:ident),+) => {
-        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-        fn avx512($($x: &[f64],)+ out: &mut [f64]) {
-            fused($($x,)+ out)
-        }
-    };
+/// Defines `twins`, a loop over blocks, for a kernel that is to go so.
+macro_rules! twins {
+    (, $module:ident::$kernel:ident, $($x:ident),+) => {};
     (in_twins, $module:ident::$kernel:ident, $($x:ident),+) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
@@ -99,16 +94,23 @@ macro_rules! widest {
                 }
             }
         }
-        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-        fn avx512($($x: &[f64],)+ out: &mut [f64]) {
-            $(let $x = $x[..out.len()].as_chunks();)+
-            let (blocks, rest) = out.as_chunks_mut();
-            twins($($x.0,)+ blocks);
-            fused($($x.1,)+ rest)
-        }
     };
 }
-pub(crate) use widest;
+pub(crate) use twins;
+
+/// Fills whole blocks by `twins`, if there are some, and leaves the rest of the slices.
+macro_rules! blocks {
+    (, $($x:ident),+ => $out:ident) => {};
+    (in_twins, $($x:ident),+ => $out:ident) => {
+        let n = $out.len();
+        let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $crate::twins::BLOCK };
+        $(let (blocks, $x) = ($x[..whole].as_chunks().0, &$x[whole..]); let $x = (blocks, $x);)+
+        let (blocks, $out) = $out.split_at_mut(whole);
+        twins($($x.0,)+ blocks.as_chunks_mut().0);
+        $(let $x = $x.1;)+
+    };
+}
+pub(crate) use blocks;
 
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
@@ -124,7 +126,12 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::widest!($($in_twins)?, $module::$kernel, $($x),+);
+            #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
+            fn avx512($($x: &[f64],)+ out: &mut [f64]) {
+                fused($($x,)+ out)
+            }
+            #[cfg(target_arch = "x86_64")]
+            $crate::dispatch::twins!($($in_twins)?, $module::$kernel, $($x),+);
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.
@@ -132,7 +139,10 @@ macro_rules! batch {
                 $crate::dispatch::Isa::Avx2 => unsafe { avx2($($x,)+ out) },
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
-                $crate::dispatch::Isa::Avx512 => unsafe { avx512($($x,)+ out) },
+                $crate::dispatch::Isa::Avx512 => unsafe {
+                    $crate::dispatch::blocks!($($in_twins)?, $($x),+ => out);
+                    avx512($($x,)+ out)
+                },
             }
         }
     };

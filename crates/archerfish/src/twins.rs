@@ -38,3 +38,5 @@ pub mod real;
 
 /// Elements of a block: the first half of it goes in step with the second, each as two vectors.
 pub(crate) const BLOCK: usize = 32;
+/// Below this many elements all go the other way: too few are left in blocks.
+pub(crate) const SHORT: usize = 256;
