@@ -131,7 +131,7 @@ impl Target {
         let excess_far = (self.beyond - gone) * self.end_square.hi - up * up;
         let excess_near = (way - x) * (way + x) - up * up;
         let excess = select(near, excess_near, excess_far);
-        let model = Model::new(self, way, rest, rest - gamma * up, excess);
+        let model = Model::new(self, way, rest, rest - gamma * up, excess, 1.0);
         let root = sqrt(greater(model.discriminant(), 0.0));
         // on the other side of the greatest H the zero is the farther one
         let beyond = (sense * model.slope).is_below(0.0);
@@ -182,10 +182,14 @@ impl Target {
         let ahead = fast_two_sum(way_square.hi, -x_square.hi);
         let excess =
             (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
-        let model = Model::new(self, way.hi, rest, rest - gamma * up.hi, excess);
+        // at the envelope e⁻ʷ is as small as γ, and products of four such would be 0
+        let large = select(contact.close, self.mu, 1.0);
+        let slope = large * (rest - gamma * up.hi);
+        let model = Model::new(self, way.hi, rest, slope, large * excess, large);
         // H at its greatest, times `unit`, by what y is off the envelope
         let discriminant = model.discriminant();
-        let digits = model.unit * -model.bend * contact.up * (self.y.abs() + contact.up);
+        let off = large * contact.up * (self.y.abs() + contact.up);
+        let digits = model.unit * -model.bend * off;
         let on = contact.close & discriminant.is_below(digits * (3.0 * f64::EPSILON));
         let there = !contact.close | discriminant.is_above(digits * (-5.0 * f64::EPSILON));
         // where no zero is in sight yet, a moderate step
@@ -211,11 +215,19 @@ pub(super) struct Model {
 }
 
 impl Model {
-    /// At P, e⁻ʷ, half of dH/dβ and H.
+    /// At P, e⁻ʷ, half of dH/dβ and H, the last two `large` times as great.
     #[inline(always)]
-    pub fn new(target: &Target, way: Number, rest: Number, slope: Number, excess: Number) -> Self {
-        let loss = target.lambda * rest;
-        let curvature = loss + target.gamma * target.gamma * way;
+    pub fn new(
+        target: &Target,
+        way: Number,
+        rest: Number,
+        slope: Number,
+        excess: Number,
+        large: operand!(),
+    ) -> Self {
+        let large: Number = large.into();
+        let loss = large * target.lambda * rest;
+        let curvature = loss + large * target.gamma * target.gamma * way;
         let second = way * curvature;
         let unit = 3.0 * second;
         let first = way * slope;

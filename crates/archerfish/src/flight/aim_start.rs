@@ -117,7 +117,7 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
         let touching = contact.fall + mu * (below + sqrt(greater(2.0 * up * below, 0.0)));
         let fall = least(greater(ended_fall, 0.0), touching);
         // by the approximation at the touching point, as far as three derivatives see
-        let model = Model::new(target, way, rest, slope, excess);
+        let model = Model::new(target, way, rest, slope, excess, 1.0);
         let theta = model.excess / (sqrt(greater(model.discriminant(), 0.0)) - model.slope);
         let neighbouring = inside & theta.abs().is_below(1.25 * end);
         select(neighbouring, contact.fall + way * theta, fall)
