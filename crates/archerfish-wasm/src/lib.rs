@@ -94,19 +94,15 @@ pub unsafe extern "C" fn evaluate(
     out2: *mut f64,
     out3: *mut f64,
 ) {
-    // SAFETY: the caller's promise.
-    let of = |x| unsafe { slice::from_raw_parts(x, count) };
-    // SAFETY: the caller's promise.
-    let to = |out| unsafe { slice::from_raw_parts_mut(out, count) };
-    if let Some(function) = find(number) {
-        let inputs = [of(x0), of(x1), of(x2)];
-        match function.outputs {
-            1 => batch::evaluate(function.kernel, inputs, &mut [to(out0)]),
-            2 => batch::evaluate(function.kernel, inputs, &mut [to(out0), to(out1)]),
-            _ => {
-                let outputs = &mut [to(out0), to(out1), to(out2), to(out3)];
-                batch::evaluate(function.kernel, inputs, outputs);
-            }
-        }
+    if let Some(Function { kernel, outputs, .. }) = find(number) {
+        // SAFETY: the caller's promise.
+        let of = |x| unsafe { slice::from_raw_parts(x, count) };
+        let to = |k, out| {
+            let room = if k < outputs { count } else { 0 };
+            // SAFETY: the caller's promise.
+            unsafe { slice::from_raw_parts_mut(out, room) }
+        };
+        let results = [to(0, out0), to(1, out1), to(2, out2), to(3, out3)];
+        batch::evaluate(kernel, [of(x0), of(x1), of(x2)], results);
     }
 }

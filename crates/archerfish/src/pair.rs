@@ -8,17 +8,17 @@ use crate::number::{Bits, Order};
 /// Two doubles.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub struct Pair(v128);
+pub(crate) struct Pair(v128);
 
 /// Of each double whether something holds: all its bits, or none.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub struct PairMask(v128);
+pub(crate) struct PairMask(v128);
 
 /// The bits of each double.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub struct PairBits(v128);
+pub(crate) struct PairBits(v128);
 
 impl From<f64> for Pair {
     #[inline(always)]

@@ -29,57 +29,80 @@ pub mod motion;
 #[path = "real/mod.rs"]
 pub mod real;
 
-/// A kernel at two elements: of three numbers, the last of which it need not look at, and with room
-/// for four results, of which it may fill the first alone. (By C's rules vectors are handed over in
-/// registers.)
-#[allow(improper_ctypes_definitions)]
-pub type Kernel = extern "C" fn(Number, Number, Number, &mut [Number; 4]);
+/// Two elements of a slice.
+pub type Two = [f64; 2];
 
-/// Fills slices with the values of a kernel at others, two elements at a time; a last single element
-/// goes as a pair with itself. All slices are of one length.
-pub fn evaluate(kernel: Kernel, inputs: [&[f64]; 3], outputs: &mut [&mut [f64]]) {
-    let mut values = [constant(0.0); 4];
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] = inputs.map(<[f64]>::as_chunks);
-    for (i, ((x, y), z)) in x.iter().zip(y).zip(z).enumerate() {
-        kernel((*x).into(), (*y).into(), (*z).into(), &mut values);
-        for (out, value) in outputs.iter_mut().zip(values) {
-            if let Some(out) = out.as_chunks_mut().0.get_mut(i) {
-                *out = value.into();
-            }
-        }
-    }
-    if let ([x], [y], [z]) = (x_rest, y_rest, z_rest) {
-        kernel((*x).into(), (*y).into(), (*z).into(), &mut values);
-        for (out, value) in outputs.iter_mut().zip(values) {
-            if let Some(out) = out.last_mut() {
-                [*out, _] = value.into();
+/// A function over slices of up to three arguments and four results; it looks at no others.
+pub type Kernel = fn(&[Two], &[Two], &[Two], [&mut [Two]; 4]);
+
+/// Fills slices with the values of a kernel at others; a last single element goes as a pair with
+/// itself. All slices are of one length, but for results that the kernel does not have: of none.
+pub fn evaluate(kernel: Kernel, inputs: [&[f64]; 3], results: [&mut [f64]; 4]) {
+    let [(x, last_x), (y, last_y), (z, last_z)] = inputs.map(<[f64]>::as_chunks);
+    let [a, b, c, d] = results.map(<[f64]>::as_chunks_mut);
+    kernel(x, y, z, [a.0, b.0, c.0, d.0]);
+    if let ([x], [y], [z]) = (last_x, last_y, last_z) {
+        let mut values = [[[0.0; 2]]; 4];
+        let room = values.each_mut().map(|value| &mut value[..]);
+        kernel(&[[*x; 2]], &[[*y; 2]], &[[*z; 2]], room);
+        for (last, [[value, _]]) in [a.1, b.1, c.1, d.1].into_iter().zip(values) {
+            if let [last] = last {
+                *last = value;
             }
         }
     }
 }
+
+/// A loop over the elements of several slices at once.
+macro_rules! for_each {
+    (($pattern:pat) in ($rows:expr) $body:block) => {
+        for $pattern in $rows $body
+    };
+    (($pattern:pat) in ($rows:expr), $slice:ident $(, $slices:ident)* $body:block) => {
+        $crate::pairs::for_each! { (($pattern, $slice)) in ($rows.zip($slice)) $(, $slices)* $body }
+    };
+}
+pub(crate) use for_each;
 
 /// Defines a [`Kernel`].
 macro_rules! batch {
     ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident => $out:tt $($in_twins:ident)?) => {
-        $crate::pairs::batch! { $name(x, _y, _z) = $module::$kernel(x) => $out }
+        $crate::pairs::batch! { @ $name(x, _y, _z) = $module::$kernel(x) => $out }
     };
     ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident => $out:tt $($in_twins:ident)?) => {
-        $crate::pairs::batch! { $name(x, y, _z) = $module::$kernel(x, y) => $out }
+        $crate::pairs::batch! { @ $name(x, y, _z) = $module::$kernel(x, y) => $out }
     };
     ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident, $z:ident => $out:tt $($in_twins:ident)?) => {
-        $crate::pairs::batch! { $name(x, y, z) = $module::$kernel(x, y, z) => $out }
+        $crate::pairs::batch! { @ $name(x, y, z) = $module::$kernel(x, y, z) => $out }
     };
-    ($name:ident($x:ident, $y:ident, $z:ident) = $module:ident::$kernel:ident $arguments:tt => ($($out:ident),+)) => {
-        #[allow(improper_ctypes_definitions)]
-        extern "C" fn $name(
-            $x: $crate::pairs::Number,
-            $y: $crate::pairs::Number,
-            $z: $crate::pairs::Number,
-            results: &mut [$crate::pairs::Number; 4],
+    (@ $name:ident($x:ident, $y:ident, $z:ident) = $module:ident::$kernel:ident($first:ident $(, $argument:ident)*) => ($($out:ident),+)) => {
+        fn $name(
+            $x: &[$crate::pairs::Two],
+            $y: &[$crate::pairs::Two],
+            $z: &[$crate::pairs::Two],
+            results: [&mut [$crate::pairs::Two]; 4],
         ) {
             let [$($out,)+ ..] = results;
-            ($(*$out),+) = $crate::pairs::$module::$kernel $arguments;
+            $crate::pairs::for_each! { ($first) in ($first.iter()) $(, $argument)* $(, $out)+ {
+                let values = $crate::pairs::$module::$kernel((*$first).into() $(, (*$argument).into())*);
+                $crate::pairs::hand_out!(values => $($out),+);
+            } }
         }
     };
 }
 pub(crate) use batch;
+
+/// Puts what a kernel gives where it belongs.
+macro_rules! hand_out {
+    ($values:ident => $out:ident) => {
+        *$out = $values.into();
+    };
+    ($values:ident => $a:ident, $b:ident) => {
+        (*$a, *$b) = ($values.0.into(), $values.1.into());
+    };
+    ($values:ident => $a:ident, $b:ident, $c:ident, $d:ident) => {
+        (*$a, *$b) = ($values.0.into(), $values.1.into());
+        (*$c, *$d) = ($values.2.into(), $values.3.into());
+    };
+}
+pub(crate) use hand_out;
