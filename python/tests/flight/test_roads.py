@@ -158,9 +158,10 @@ def test_aim_fly_arrive(aim):
     assert (miss <= 1e-13 * np.hypot(x, y) + 4e-16 * way).all()
 
 
-def test_both_arcs_are_one_on_the_envelope_and_none_above_it():
+@pytest.mark.parametrize("weakest, strongest", [(-6, 3), (3, 299)])
+def test_both_arcs_are_one_on_the_envelope_and_none_above_it(weakest, strongest):
     random = np.random.default_rng(8)
-    eps = 10 ** random.uniform(-6, 3, 20_000)
+    eps = 10 ** random.uniform(weakest, strongest, 20_000)
     x = random.uniform(-1, 1, 20_000) * np.minimum(3.0, 1 / eps)
     top = archerfish.envelope_height(x, eps)
     low, high = archerfish.aim_low(x, top, eps), archerfish.aim_high(x, top, eps)

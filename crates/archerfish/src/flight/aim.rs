@@ -44,6 +44,9 @@ const DEEP: f64 = 1e70;
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
+/// μ beyond which a target a rounding off the envelope is meant to be on it: the model of H says nothing
+/// of so small a thing, and squares of a far greater μ would overflow.
+const STRONG: f64 = f64::from_bits((1023 + 50) << 52);
 /// The greatest power of two with a normal inverse.
 const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 
@@ -187,9 +190,12 @@ impl Target {
         let slope = large * (rest - gamma * up.hi);
         let model = Model::new(self, way.hi, rest, slope, large * excess, large);
         // H at its greatest, times `unit`, by what y is off the envelope
-        let discriminant = model.discriminant();
-        let off = large * contact.up * (self.y.abs() + contact.up);
-        let digits = model.unit * -model.bend * off;
+        let off = contact.up * (self.y.abs() + contact.up);
+        let digits = model.unit * -model.bend * (large * off);
+        // so strong is drag that no step along the envelope changes the direction: then H is the same
+        let settled = contact.close & self.mu.is_above(STRONG);
+        let discriminant = select(settled, excess, model.discriminant());
+        let digits = select(settled, off, digits);
         let on = contact.close & discriminant.is_below(digits * (3.0 * f64::EPSILON));
         let there = !contact.close | discriminant.is_above(digits * (-5.0 * f64::EPSILON));
         // where no zero is in sight yet, a moderate step
@@ -200,7 +206,7 @@ impl Target {
         let close = contact.close;
         let numerator = select(close, sense * root - model.slope, -sense * model.excess);
         let denominator = select(close, model.bend, sense * model.slope + root);
-        let theta = numerator / denominator;
+        let theta = select(settled, 0.0, numerator / denominator);
         let scaled_up = fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma * (way.hi * theta));
         (scaled_up, self.x.abs() * LARGE, on, there)
     }
