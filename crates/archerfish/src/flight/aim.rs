@@ -36,9 +36,11 @@ pub(super) const LOW: f64 = 1.0;
 pub(super) const HIGH: f64 = -1.0;
 /// w beyond which e⁻ʷ counts as 0.
 const ENDED: f64 = 700.0;
-/// Bounds beyond which squares of squares would overflow: so far out or down no shot changes its
-/// direction by what the last digit does.
-const FAR: f64 = 1e35;
+/// 1/FAR, FAR being 2¹¹⁶: that far out the speed of the launch no longer counts, and a target at half of
+/// x, a quarter of y and twice ε is hit by the same angle. Squares of squares would overflow.
+const NEARER: f64 = f64::from_bits((1023 - 116) << 52);
+/// Beyond this they would as well; so far down no shot changes its direction by what the last digit
+/// does.
 const DEEP: f64 = 1e70;
 /// What enlarges tiny targets, 2¹⁰⁰⁰ and 2⁷⁰, and directions, 2⁴⁰⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
@@ -91,13 +93,15 @@ pub(super) struct Target {
 impl Target {
     #[inline(always)]
     fn new(x: Number, y: Number, epsilon: Number) -> Self {
+        let (_, (far, near)) = power_and_inverse(least(greater(x.abs() * NEARER, 1.0), GREATEST));
+        let (x, y) = (x * near, y * near * near);
         // what is less makes no difference; its inverse would
-        let epsilon = greater(epsilon, 1e-300);
+        let epsilon = greater(epsilon * far, 1e-300);
         let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
         let lambda = epsilon * gamma;
         let end = DoubleDouble::from(1.0).div_double(lambda);
         let share = two_product(lambda, mu * x);
-        let (x, y) = (within(mu * x, FAR), within(mu * y, DEEP));
+        let (x, y) = (mu * x, within(mu * y, DEEP));
         Target {
             x,
             y,
