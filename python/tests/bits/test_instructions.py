@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[3]
 UFUNCS = [name for name in archerfish.__all__ if isinstance(getattr(archerfish, name), np.ufunc)]
 #: The letter of the widest registers, and their share of all arithmetic that a vector loop beside a
 #: scalar one for the last elements has at least. SSE2 lacks selection and 64-bit comparison, so
-#: there a compiler may rightly keep a kernel mostly scalar. Twins are whole blocks: nothing is last.
+#: there a compiler may rightly keep a kernel mostly scalar. Blocks of twins have no last ones.
 WIDEST = {"baseline": ("x", 0.0), "avx2": ("y", 0.4), "avx512": ("z", 0.4), "twins": ("z", 0.99)}
 ARITHMETIC = re.compile(r"\tv?(?:add|sub|mul|div|sqrt)([sp])d .*?%([xyz])mm")
 FUSED = re.compile(r"\tvf(?:n?madd|n?msub|maddsub|msubadd)")

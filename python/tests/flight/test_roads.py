@@ -158,7 +158,7 @@ def test_aim_fly_arrive(aim):
     assert (miss <= 1e-13 * np.hypot(x, y) + 4e-16 * way).all()
 
 
-@pytest.mark.parametrize("weakest, strongest", [(-6, 3), (3, 299)])
+@pytest.mark.parametrize(("weakest", "strongest"), [(-6, 3), (3, 299)])
 def test_both_arcs_are_one_on_the_envelope_and_none_above_it(weakest, strongest):
     random = np.random.default_rng(8)
     eps = 10 ** random.uniform(weakest, strongest, 20_000)
