@@ -30,16 +30,15 @@ impl From<f64> for Pair {
 impl From<[f64; 2]> for Pair {
     #[inline(always)]
     fn from(pair: [f64; 2]) -> Self {
-        // SAFETY: two doubles are a vector.
-        Pair(unsafe { core::mem::transmute::<[f64; 2], v128>(pair) })
+        let [a, b] = pair;
+        Pair(f64x2(a, b))
     }
 }
 
 impl From<Pair> for [f64; 2] {
     #[inline(always)]
     fn from(pair: Pair) -> Self {
-        // SAFETY: a vector is two doubles.
-        unsafe { core::mem::transmute::<v128, [f64; 2]>(pair.0) }
+        [f64x2_extract_lane::<0>(pair.0), f64x2_extract_lane::<1>(pair.0)]
     }
 }
 
