@@ -357,8 +357,11 @@ def _arrival(
         decay, moved = np.exp(-eps * time), drift(time, eps)
         vx, vy = cosine * decay, sine * decay - moved
         along = (x - cosine * moved) * vx + (y - (sine * moved - fall(time, eps))) * vy
-        step = along / (vx * vx + vy * vy)
-        time = np.maximum(np.where(np.isfinite(step), time + step, time), 0.0)
+        square = vx * vx + vy * vy
+        step = along / square
+        # A step in which gravity would turn the velocity round leads anywhere: at the top of a
+        # vertical shot the time is already right.
+        time = np.maximum(np.where(step * step < square, time + step, time), 0.0)
     return np.asarray(time)
 
 

@@ -116,6 +116,44 @@ def test_on_the_envelope_both_arcs_are_one(epsilon):
     assert np.all(over.margin > 0)
 
 
+def tops(rng, count):
+    """Launchers, and winds in whose tilted gravity the target is at the top of the envelope."""
+    drag = np.where(rng.random(count) < 0.1, 0.0, 10 ** rng.uniform(-6, 3, count))
+    launcher = Launcher(10 ** rng.uniform(-1, 2, count), drag_rate=drag)
+    return launcher, rng.uniform(-4, 4, (2, count)) / (1 + drag)
+
+
+@pytest.mark.parametrize("beside", [0.0, 1e-12, 1e-9, 1e-6])
+def test_at_the_top_of_the_envelope(beside):
+    """There the projectile stands still, and a step by its velocity leads anywhere."""
+    launcher, _ = tops(np.random.default_rng(7), 20_000)
+    highest = launcher.envelope.highest
+    x = beside * highest
+    y = launcher.envelope.height(x)
+    arcs = launcher.aim(x, y)
+    hit = arcs.reachable
+    assert hit.mean() > (0.99 if beside == 0 else 0.5)
+    for arc in (arcs.low, arcs.high):
+        assert miss(arc, x, y)[hit].max() < 1e-13
+        if beside == 0.0:
+            apex = launcher.shot(np.pi / 2).apex
+            np.testing.assert_allclose(arc.time[hit], apex.time[hit], rtol=1e-6)
+
+
+def test_at_the_top_of_the_envelope_that_wind_tilts():
+    launcher, wind = tops(np.random.default_rng(8), 20_000)
+    pull = launcher.drag_rate * wind
+    pull[1] -= launcher.gravity
+    strength = np.hypot(*pull)
+    tilted = Launcher(launcher.speed, gravity=strength, drag_rate=launcher.drag_rate)
+    x, y = -pull / strength * tilted.envelope.highest * (1 - 1e-15)
+    arcs = launcher.aim(x, y, wind=tuple(wind))
+    hit = arcs.reachable
+    assert hit.mean() > 0.9
+    for arc in (arcs.low, arcs.high):
+        assert miss(arc, x, y)[hit].max() < 1e-13
+
+
 def test_unreachable_says_by_how_much_and_what_speed_would_do():
     launcher = Launcher(10.0, drag_rate=0.1)
     answer = launcher.aim(9.0, 3.0)
