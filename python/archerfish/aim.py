@@ -117,7 +117,7 @@ class Arc(Value):
         >>> arcs.low.clearance_under(3.0) > 0, arcs.high.clearance_under(3.0) > 0
         (True, False)
         """
-        return frozen(np.asarray(np.subtract(ceiling, self.highest)))
+        return frozen(np.asarray(array(ceiling) - self.highest))
 
     @cached_property
     def angle_gradient(self) -> AngleGradient:

@@ -48,7 +48,7 @@ class Envelope(Value):
 
     def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> bool | npt.NDArray[np.bool_]:
         """Whether the target at `x`, `y` (m) is on or under the envelope."""
-        inside = np.asarray(np.less_equal(y, self.height(x)))
+        inside = np.asarray(np.less_equal(array(y), self.height(x)))
         return bool(inside) if inside.ndim == 0 else inside
 
     @cached_property
@@ -89,7 +89,7 @@ class Front(Value):
         >>> round(place.y - launcher.shot(0.75).position(0.5).y, 12)
         0.0
         """
-        sine, cosine = np.sin(angle), np.cos(angle)
+        sine, cosine = np.sin(array(angle)), np.cos(array(angle))
         return record(Vector, x=self.x + self.radius * cosine, y=self.y + self.radius * sine, z=0.0)
 
 

@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from archerfish import _core
+from archerfish.values import without_unit
 from archerfish.zeros import FloatArray, zero_between
 
 #: In place of no drag where a formula divides by it: it changes a result by less than 1e-19.
@@ -27,8 +28,8 @@ _UPRIGHT = np.pi / 2
 
 
 def array(value: npt.ArrayLike) -> FloatArray:
-    """`value` as an array of doubles."""
-    return np.asarray(value, dtype=np.float64)
+    """`value` as an array of doubles; TypeError where it has a unit."""
+    return np.asarray(without_unit(value), dtype=np.float64)
 
 
 def drift(time: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
@@ -37,7 +38,7 @@ def drift(time: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
     >>> float(drift(2.0, 0.0))
     2.0
     """
-    return array(_core.flight_x(time, 0.0, drag_rate))
+    return array(_core.flight_x(array(time), 0.0, drag_rate))
 
 
 def fall(time: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
@@ -46,7 +47,7 @@ def fall(time: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
     >>> float(fall(2.0, 0.0))
     2.0
     """
-    return array(-_core.flight_y(time, 0.0, drag_rate))
+    return array(-_core.flight_y(array(time), 0.0, drag_rate))
 
 
 def time_of_drift(distance: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:

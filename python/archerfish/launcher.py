@@ -19,6 +19,7 @@ from archerfish.values import (
     positive_or_infinite,
     product,
     quotient,
+    real,
 )
 
 if TYPE_CHECKING:
@@ -44,7 +45,8 @@ class Launcher(Value):
     `speed` (m/s) and `gravity` (m/s², standard gravity unless given) must be above 0 and finite.
     Every field takes a number or an array; arrays broadcast. A value outside its bounds raises
     ValueError, none or several drags TypeError. Quantities of pint are taken in any unit, and then
-    everything asked of the launcher is answered in quantities.
+    everything asked of the launcher is answered in quantities; a launcher made of plain numbers
+    refuses them.
 
     Source: H. Hernández-Saldaña, Eur. J. Phys. 2010, text above equation (9): ε and ρ.
 
@@ -250,7 +252,7 @@ class Launcher(Value):
         >>> Launcher(10.0, epsilon=0.1).reachable([5.0, 9.0, 10.0], 0.0)
         array([ True,  True, False])
         """
-        return self.envelope.contains(x, np.subtract(y, height))
+        return self.envelope.contains(x, real("y", y) - real("height", height))
 
     def front(self, time: npt.ArrayLike) -> Front:
         """The synchronous circle: where shots at every angle, fired at once, are at `time` (s).

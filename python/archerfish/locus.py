@@ -10,7 +10,16 @@ import numpy.typing as npt
 
 from archerfish import _core, named_angles
 from archerfish.quadrature import FloatArray, integral
-from archerfish.values import Quantity, Value, frozen, not_negative, positive, product, quotient
+from archerfish.values import (
+    Quantity,
+    Value,
+    frozen,
+    not_negative,
+    positive,
+    product,
+    quotient,
+    without_unit,
+)
 
 _HALF_PI = np.pi / 2
 
@@ -70,7 +79,7 @@ class ApexLocus(Value):
         [0.0, 1.149244]
         """
         eps = self.epsilon
-        elevation = _core.apex_elevation(alpha, eps)
+        elevation = _core.apex_elevation(without_unit(alpha, "alpha"), eps)
         with np.errstate(invalid="ignore"):  # one warning of one bad angle, not six
             return self._points(
                 launch_angle=alpha,
@@ -91,7 +100,7 @@ class ApexLocus(Value):
         0.785398163397
         """
         eps = self.epsilon
-        launch_angle = _core.locus_launch_angle(theta, eps)
+        launch_angle = _core.locus_launch_angle(without_unit(theta, "theta"), eps)
         with np.errstate(invalid="ignore"):  # one warning of one bad angle, not six
             return self._points(
                 launch_angle=launch_angle,

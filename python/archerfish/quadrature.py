@@ -9,6 +9,8 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
+from archerfish.values import without_unit
+
 FloatArray = npt.NDArray[np.float64]
 
 _NODES = 16
@@ -34,7 +36,7 @@ def integral(
     on each of them Gauss-Legendre quadrature converges to full precision.
     """
     first, last, eps = np.broadcast_arrays(
-        *(np.asarray(value, dtype=np.float64) for value in (start, stop, epsilon))
+        *(np.asarray(without_unit(value), np.float64) for value in (start, stop, epsilon))
     )
     low, high = np.minimum(first, last), np.maximum(first, last)
     edges = _graded_edges(eps)

@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 from archerfish import _core
-from archerfish.values import not_negative
+from archerfish.values import not_negative, without_unit
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -68,7 +68,7 @@ class LaunchAngleSeries:
         last = self.order if order is None else order
         if not 1 <= last <= self.order:
             raise ValueError(f"order must be from 1 to {self.order}, got {last}")
-        doubled = 2 * np.tan(np.asarray(theta, dtype=np.float64))
+        doubled = 2 * np.tan(np.asarray(without_unit(theta, "theta"), dtype=np.float64))
         numbers = [float(number) for number in self.coefficients_at(epsilon)[: last + 1]]
         return np.asarray(np.arctan(doubled) + np.polynomial.polynomial.polyval(doubled, numbers))
 

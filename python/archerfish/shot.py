@@ -19,7 +19,7 @@ from archerfish.kinematics import (
     time_of_drift,
     time_of_fall,
 )
-from archerfish.values import Quantity, Value, finite, frozen, real
+from archerfish.values import Quantity, Value, finite, frozen, real, without_unit
 from archerfish.zeros import FloatArray, zero_between
 
 if TYPE_CHECKING:
@@ -398,7 +398,7 @@ class Shot(Value):
         >>> Launcher(10.0, epsilon=0.1).shot([0.5, 0.75]).sample(5).x.shape
         (2, 5)
         """
-        if count < 2:
+        if without_unit(count, "count") < 2:
             raise ValueError(f"count must be at least 2, got {count}")
         share = np.linspace(0.0, 1.0, count)
         # Times go first, where arrays of any shape broadcast, and are then moved to the end.

@@ -40,8 +40,28 @@ def is_quantity(value: Any) -> bool:
     return hasattr(value, "dimensionality") and hasattr(value, "magnitude")
 
 
+def without_unit(value: Any, name: str = "a value") -> Any:
+    """`value`, which must not be a quantity: NumPy would drop its unit, not convert it."""
+    if is_quantity(value) or (isinstance(value, list | tuple) and _holds_quantity(value)):
+        raise TypeError(
+            f"{name} must be plain numbers in SI units, got {value!s}: quantities go to a "
+            "launcher whose speed is one, such as Launcher(10 * ureg.m / ureg.s, epsilon=0.1)"
+        )
+    return value
+
+
+def _holds_quantity(values: list[Any] | tuple[Any, ...]) -> bool:
+    # Of a long list the types are looked at, which are few.
+    kinds = set(map(type, values))
+    if any(map(is_quantity, kinds)):
+        return True
+    nested = (each for each in values if isinstance(each, list | tuple))
+    return not kinds.isdisjoint((list, tuple)) and any(map(_holds_quantity, nested))
+
+
 def real(name: str, value: object) -> Quantity:
     """`value` as a float, or as a read-only array of floats of its own."""
+    without_unit(value, name)
     refusal = TypeError(f"{name} must be a real number or an array of them, got {value!r}")
     try:
         array = np.array(value)

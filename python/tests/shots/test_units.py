@@ -8,6 +8,9 @@ import pint
 import pytest
 
 from archerfish import Launcher
+from archerfish.aim import minimum_speed
+from archerfish.named_angles import rightmost_angle
+from archerfish.series import paper_series
 
 UREG = pint.UnitRegistry()
 Q = UREG.Quantity
@@ -67,6 +70,60 @@ def test_aim_envelope_and_angles(launcher):
     assert launcher.locus.highest.y.units == UREG.meter
     assert launcher.named_angles().longest_path.units == UREG.radian
     assert launcher.front(Q(1, "s")).radius.units == UREG.meter
+
+
+LENGTH, TIME, ANGLE = Q(150, "cm"), Q(200, "ms"), Q(40, "degree")
+SHOT, ARCS = PLAIN.shot(0.7), PLAIN.aim(5.0, 1.0)
+WITHOUT_UNITS = {
+    "shot": lambda: PLAIN.shot(ANGLE),
+    "shot, azimuth": lambda: PLAIN.shot(0.7, azimuth=ANGLE),
+    "shot, height": lambda: PLAIN.shot(0.7, height=LENGTH),
+    "shot, list of grounds": lambda: PLAIN.shot(0.7, ground=[0.0, LENGTH]),
+    "shot, wind": lambda: PLAIN.shot(0.7, wind=(Q(1, "km/hour"), 0.0)),
+    "shot, array of winds": lambda: PLAIN.shot(0.7, wind=Q([1.0, 2.0], "km/hour")),
+    "aim, x": lambda: PLAIN.aim(LENGTH, 1.0),
+    "aim, y": lambda: PLAIN.aim(1.0, LENGTH),
+    "aim, z": lambda: PLAIN.aim(1.0, 1.0, LENGTH),
+    "aim, height": lambda: PLAIN.aim(1.0, 1.0, height=LENGTH),
+    "minimum speed": lambda: PLAIN.minimum_speed(LENGTH, LENGTH),
+    "minimum speed by itself": lambda: minimum_speed(LENGTH, 1.0, gravity=9.8, drag_rate=0.0),
+    "its gravity": lambda: minimum_speed(1.0, 1.0, gravity=Q(1, "cm/s**2"), drag_rate=0.0),
+    "reachable, x": lambda: PLAIN.reachable(LENGTH, 1.0),
+    "reachable, y": lambda: PLAIN.reachable(1.0, LENGTH),
+    "reachable, height": lambda: PLAIN.reachable(1.0, 1.0, height=LENGTH),
+    "front": lambda: PLAIN.front(TIME),
+    "point of a front": lambda: PLAIN.front(1.0).point(ANGLE),
+    "envelope": lambda: PLAIN.envelope.height(LENGTH),
+    "envelope contains": lambda: PLAIN.envelope.contains(1.0, LENGTH),
+    "position": lambda: SHOT.position(TIME),
+    "velocity": lambda: SHOT.velocity(TIME),
+    "energy": lambda: SHOT.energy(TIME),
+    "time at": lambda: SHOT.time_at(LENGTH),
+    "time again at": lambda: SHOT.time_again_at(LENGTH),
+    "height at": lambda: SHOT.height_at(LENGTH),
+    "path length": lambda: SHOT.path_length(TIME),
+    "sample": lambda: SHOT.sample(LENGTH),
+    "propagate": lambda: SHOT.propagate(speed=Q(10, "cm/s")),
+    "covariance": lambda: SHOT.propagate(covariance=Q(np.eye(4), "m**2")),
+    "clearance over x": lambda: ARCS.low.clearance_over(LENGTH, 1.0),
+    "clearance over y": lambda: ARCS.low.clearance_over(1.0, LENGTH),
+    "clearance under": lambda: ARCS.low.clearance_under(LENGTH),
+    "locus": lambda: PLAIN.locus.at_launch_angle(ANGLE),
+    "locus by elevation": lambda: PLAIN.locus.at_elevation(ANGLE),
+    "length from": lambda: PLAIN.locus.arc_length(ANGLE, 1.0),
+    "length to": lambda: PLAIN.locus.arc_length(0.0, ANGLE),
+    "series": lambda: paper_series(4).launch_angle(ANGLE, 0.1),
+    "series, drag": lambda: paper_series(4).launch_angle(0.1, Q(10, "percent")),
+    "named angle": lambda: rightmost_angle(Q(10, "percent")),
+    "launcher, nested lists": lambda: Launcher([[1.0], [Q(10, "cm/s")]], epsilon=0.1),
+}
+
+
+@pytest.mark.parametrize("call", WITHOUT_UNITS.values(), ids=WITHOUT_UNITS)
+def test_no_unit_is_lost_without_a_word(call):
+    """NumPy drops a unit where it makes an array of doubles: 150 cm would be 150 m."""
+    with pytest.raises(TypeError, match=r"must be plain numbers in SI units, got .*: quantities"):
+        call()
 
 
 def test_a_sphere_and_arrays():
