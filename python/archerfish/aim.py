@@ -107,7 +107,10 @@ class Arc(Value):
             np.where(time <= np.asarray(self.time), self.shot.position(time).y - array(y), np.nan)
             for time in (self.shot.time_at(x), self.shot.time_again_at(x))
         ]
-        return frozen(np.fmin(*passes))
+        # The arc ends on its target, whatever the last digit of the time at its x.
+        end = (array(x) == self.target.x) & ~np.isnan(self.time)
+        passes.append(np.where(end, self.target.y - array(y), np.nan))
+        return frozen(np.fmin.reduce(np.broadcast_arrays(*passes)))
 
     def clearance_under(self, ceiling: npt.ArrayLike) -> Quantity:
         """How far below a `ceiling` (m) the arc stays on its way to the target; negative if not.

@@ -203,6 +203,24 @@ def test_clearance():
     assert rising.clearance_under(5.0) == 1.0
 
 
+def test_clearance_at_the_target_itself():
+    rng = np.random.default_rng(9)
+    x, y = rng.uniform(1.0, 8.0, 2000), rng.uniform(-3.0, 1.0, 2000)
+    for wind in (None, (-3.0, 1.0)):
+        arcs = Launcher(10.0, epsilon=0.1).aim(x, y, wind=wind)
+        for arc in (arcs.low, arcs.high):
+            np.testing.assert_allclose(arc.clearance_over(x, y - 1.0)[arcs.reachable], 1.0)
+            assert np.isnan(arc.clearance_over(x, y)[~arcs.reachable]).all()
+
+
+def test_clearance_of_a_shot_straight_up_or_down():
+    """It stays at its x: the obstacle is hit from above or from below, whichever end is lower."""
+    launcher = Launcher(10.0, epsilon=0.1)
+    assert launcher.aim(0.0, -3.0, height=1.0).low.clearance_over(0.0, 0.0) == -3.0
+    assert launcher.aim(0.0, 3.0, height=1.0).low.clearance_over(0.0, 0.0) == 1.0
+    assert np.isnan(launcher.aim(0.0, 3.0).low.clearance_over(1.0, 0.0))
+
+
 def test_clearance_of_an_obstacle_for_each_target():
     launcher = Launcher(12.0, drag_rate=[0.1, 0.2, 0.3])
     x, y = np.array([3.0, 2.0, 4.0]), np.array([1.0, 2.0, 0.5])
