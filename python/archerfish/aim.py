@@ -161,7 +161,8 @@ class Unreachable(Value):
 class Aim(Value):
     """Both arcs to a target, or to each of many; NaN where a target is out of reach.
 
-    `low` is the flat and fast one, `high` the steep and slow; on the envelope they are one.
+    `low` is the flat and fast one, `high` the steep and slow; on the envelope they are one, and
+    where wind carries the whole weight.
     `status` is `REACHABLE`, `UNREACHABLE`, or `UNDEFINED` where a coordinate is NaN. `margin` (m)
     is the target's height above the envelope, negative below it.
 
@@ -199,6 +200,7 @@ class _Plane(NamedTuple):
     distance: FloatArray  # of the target along `forward`, at least 0
     rise: FloatArray  # of the target along `up`
     strength: FloatArray  # of the pull
+    weightless: FloatArray  # whether wind carries the whole weight
 
 
 def aim(
@@ -228,10 +230,14 @@ def aim(
         distance, rise = plane.distance / length, plane.rise / length
         margin = (rise - _envelope(distance, eps)) * length
         least = _minimum_speed(plane, drag)
-        arcs = []
+        ways: list[tuple[FloatArray, FloatArray]] = []
         for high, kernel in ((False, _core.aim_low), (True, _core.aim_high)):
             angle = array(kernel(distance, rise, eps))
-            time = _arrival(distance, rise, angle, eps, high) * time_unit
+            ways.append((angle, _arrival(distance, rise, angle, eps, high) * time_unit))
+        arcs = []
+        for way in ways:
+            # Without weight nothing comes down from a high arc: the straight way is the only one.
+            angle, time = map(np.where, (plane.weightless,) * 2, ways[0], way)
             elevation, azimuth = _direction(plane, angle, in_space)
             hit = ~np.isnan(elevation)
             shot = Shot(
@@ -311,7 +317,7 @@ def _plane(
     # A target straight along the pull: any direction across it will do; this is one in x, y.
     beside = np.stack([up[1], -up[0], np.zeros(shape)]) / np.hypot(up[0], up[1])
     forward = np.where(distance > 0, across / distance, beside)
-    return _Plane(forward, up, distance, rise, strength)
+    return _Plane(forward, up, distance, rise, strength, weightless)
 
 
 def _length(vector: FloatArray) -> FloatArray:

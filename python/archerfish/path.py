@@ -62,7 +62,9 @@ def _edges(
     centre = 0.5 * np.log1p(share * (2 * along + share * speed * speed)) / rate
     scale = np.arctan2(share * across, 1 + share * along) / rate
     centre = np.clip(np.where(np.isfinite(centre), centre, 0.0), 0.0, stop)
-    scale = np.maximum(np.where(np.isfinite(scale), scale, stop), _NARROWEST * stop)
+    # Where wind carries the whole weight nothing bends; the speed falls like e^{−bt}.
+    still = np.minimum(stop, 1 / rate)
+    scale = np.where(np.isfinite(scale), np.maximum(scale, _NARROWEST * stop), still)
 
     before, width = [centre], scale
     while np.any(before[-1] > 0):

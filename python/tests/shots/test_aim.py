@@ -63,10 +63,16 @@ def test_in_any_wind_in_space():
 
 def test_wind_that_carries_the_whole_weight_leaves_a_straight_way():
     launcher = Launcher(20.0, gravity=10.0, drag_rate=1.0)
-    low = launcher.aim(3.0, 4.0, wind=(0.0, 10.0)).low
+    arcs = launcher.aim(3.0, 4.0, wind=(0.0, 10.0))
+    low = arcs.low
     assert low.angle == pytest.approx(np.arctan2(4.0, 3.0), rel=1e-15)
     assert low.time == pytest.approx(-np.log1p(-5 / 20), rel=1e-15)  # 20 (1 − e⁻ᵗ) is 5
     assert miss(low, 3.0, 4.0) < 1e-15
+    assert arcs.high == low
+    among = launcher.aim(3.0, 4.0, wind=(0.0, [9.0, 10.0]))
+    assert among.high.time[0] > among.low.time[0]
+    assert among.high.time[1] == low.time
+    assert miss(among.high, 3.0, 4.0).max() < 1e-14
     beyond = launcher.aim(30.0, 40.0, wind=(0.0, 10.0))
     assert isinstance(beyond, Unreachable)
     assert beyond.minimum_speed == pytest.approx(50.0, rel=1e-15)

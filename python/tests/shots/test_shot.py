@@ -180,6 +180,15 @@ def test_path_length_of_steep_and_of_strongly_resisted_shots():
     assert np.isnan(launcher.shot(0.8).path_length(-1.0)).all()
 
 
+def test_path_length_in_weightless_air():
+    """Straight on, V (1 − e^{−bt})/b, however long one waits: not less and less of it."""
+    launcher = Launcher(10.0, terminal_speed=5.0)
+    time = np.concatenate([[0.0], 10.0 ** np.arange(-3.0, 300.0, 0.5)])
+    found = launcher.shot(0.7, wind=(0.0, 5.0)).path_length(time)
+    rate = launcher.drag_rate
+    np.testing.assert_allclose(found, -10.0 / rate * np.expm1(-rate * time), rtol=1e-14)
+
+
 def test_samples_run_from_launch_to_landing():
     shot = Launcher([[10.0], [20.0]], epsilon=0.2).shot([0.3, 0.6, 0.9], height=1.0)
     samples = shot.sample(11)
