@@ -25,7 +25,7 @@ import numpy.typing as npt
 from archerfish.kinematics import array, drift, fall
 from archerfish.quadrature import gauss_legendre
 from archerfish.shot import record
-from archerfish.values import Quantity, Value, frozen
+from archerfish.values import Quantity, Value, finite, frozen, not_negative
 from archerfish.zeros import FloatArray
 
 if TYPE_CHECKING:
@@ -39,6 +39,8 @@ OUTPUTS = ("range", "flight_time", "apex_x", "apex_y", "apex_time", "landing_z",
 _FLATTEST = 1e-150
 #: Cosine of a launch angle below which the target says how fast the shot is across.
 _STEEP = 0.1
+#: How far from symmetric and semidefinite rounding may leave the correlations of the inputs.
+_ROUNDED = 1e-9
 #: The bt from which on closed forms keep their digits.
 _FAR = 3.0
 
@@ -197,30 +199,47 @@ def propagate(
     >>> round(propagate(shot, speed=0.1).apex_y, 12)  # y = V²/2g
     0.1
     """
-    deviations = (speed, angle, drag_rate, gravity)
-    given = covariance is not None
-    if given and any(np.any(array(deviation) != 0) for deviation in deviations):
-        raise TypeError("give standard deviations or a covariance, got both")
-    if given:
-        inputs = array(covariance)  # type: ignore[arg-type]  # `given`: not None
-        if inputs.shape[-2:] != (4, 4):
-            raise ValueError(f"covariance must have the shape (..., 4, 4), got {inputs.shape}")
+    deviations = [
+        array(not_negative(f"standard deviation of {name}", deviation))
+        for name, deviation in zip(INPUTS, (speed, angle, drag_rate, gravity), strict=True)
+    ]
+    if covariance is not None:
+        if np.any(np.concatenate(list(map(np.ravel, deviations)))):
+            raise TypeError("give standard deviations or a covariance, got both")
+        inputs = _covariance(covariance)
     else:
-        for name, deviation in zip(INPUTS, deviations, strict=True):
-            if not np.all(array(deviation) >= 0):
-                raise ValueError(
-                    f"standard deviation of {name} must be at least 0, got {deviation}"
-                )
-        spread = np.stack(np.broadcast_arrays(*map(array, deviations)), axis=-1)
+        spread = np.stack(np.broadcast_arrays(*deviations), axis=-1)
         inputs = spread[..., np.newaxis] ** 2 * np.eye(4)
     partials = [getattr(shot.gradients, output) for output in OUTPUTS]
     slopes = [array(getattr(each, name)) for each in partials for name in INPUTS]
     jacobian = np.stack(np.broadcast_arrays(*slopes), axis=-1)
     jacobian = jacobian.reshape(*jacobian.shape[:-1], len(OUTPUTS), len(INPUTS))
     outputs = jacobian @ inputs @ np.swapaxes(jacobian, -1, -2)
-    deviation = np.sqrt(np.diagonal(outputs, axis1=-2, axis2=-1))
+    # What is certain may come out a rounding below 0.
+    deviation = np.sqrt(np.maximum(np.diagonal(outputs, axis1=-2, axis2=-1), 0.0))
     spreads = (frozen(deviation[..., index].copy()) for index in range(len(OUTPUTS)))
     return Uncertainty(**dict(zip(OUTPUTS, spreads, strict=True)), covariance=frozen(outputs))
+
+
+def _covariance(given: npt.ArrayLike) -> FloatArray:
+    """The covariance of the inputs; ValueError where no random numbers have it."""
+    inputs = array(finite("covariance", given))
+    if inputs.shape[-2:] != (4, 4):
+        raise ValueError(f"covariance must have the shape (..., 4, 4), got {inputs.shape}")
+    # Inputs have units of their own: correlations are compared, which have none.
+    variances = np.diagonal(inputs, axis1=-2, axis2=-1)
+    scale = np.sqrt(np.where(variances > 0, variances, 1.0))
+    correlation = inputs / scale[..., np.newaxis] / scale[..., np.newaxis, :]
+    skew = np.max(np.abs(correlation - np.swapaxes(correlation, -1, -2)), initial=0.0)
+    if skew > _ROUNDED:
+        raise ValueError(f"covariance must be symmetric, got correlations {skew:.3g} apart")
+    least = np.min(np.linalg.eigvalsh(correlation), initial=0.0)
+    if least < -_ROUNDED:
+        raise ValueError(
+            "covariance must be positive semidefinite, got the eigenvalue "
+            f"{least:.3g} of its correlations"
+        )
+    return inputs
 
 
 def _changes(shot: Shot, time: FloatArray) -> dict[str, _Change]:

@@ -140,10 +140,34 @@ def test_a_covariance_says_the_same_as_its_diagonal_and_more():
     assert np.all(same.landing_z == 0.0)  # nothing leads out of the plane
 
 
+def test_a_covariance_that_leaves_an_output_certain():
+    """Inputs that vary together, and an output that does not feel it: 0, not the root of −1e-20."""
+    rng = np.random.default_rng(12)
+    shot = Launcher(rng.uniform(5, 50, 3000), drag_rate=0.1).shot(rng.uniform(0.1, 1.5, 3000))
+    slopes = [getattr(shot.gradients.range, name) for name in INPUTS[:2]]
+    direction = np.stack([slopes[1], -slopes[0], *np.zeros((2, 3000))], axis=-1)
+    direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
+    spread = shot.propagate(covariance=direction[:, :, np.newaxis] * direction[:, np.newaxis])
+    assert np.all(spread.range < 1e-6 * np.hypot(*slopes))
+    assert np.all(spread.apex_y > 0)
+
+
 def test_refused():
     shot = Launcher(10.0, epsilon=0.1).shot(0.7)
-    with pytest.raises(ValueError, match="deviation of speed must be at least 0, got -1"):
-        propagate(shot, speed=-1)
+    for bad in (-1.0, np.nan, np.inf):
+        with pytest.raises(
+            ValueError, match=f"deviation of speed must be at least 0 and finite, got {bad}"
+        ):
+            propagate(shot, speed=bad)
+    with pytest.raises(ValueError, match="covariance must be finite, got nan"):
+        propagate(shot, covariance=np.full((4, 4), np.nan))
+    with pytest.raises(ValueError, match=r"covariance must be symmetric, got correlations 0\.1"):
+        propagate(shot, covariance=np.eye(4) + 0.1 * np.eye(4, k=1))
+    tied = 1.01 * np.sqrt(1e-12) * (np.eye(4, k=1) + np.eye(4, k=-1))
+    tied[1:3, 1:3] = 0.0
+    for indefinite in (-np.eye(4), tied + np.diag([1.0, 1e-12, 1e-12, 1.0])):
+        with pytest.raises(ValueError, match="covariance must be positive semidefinite, got the"):
+            propagate(shot, covariance=[np.eye(4), indefinite])
     with pytest.raises(ValueError, match=r"covariance must have the shape \(..., 4, 4\)"):
         propagate(shot, covariance=np.eye(3))
     with pytest.raises(TypeError, match="standard deviations or a covariance, got both"):
