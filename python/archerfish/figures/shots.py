@@ -10,7 +10,7 @@ import numpy as np
 
 from archerfish.aim import Aim, Unreachable
 from archerfish.launcher import Launcher
-from archerfish.shot import Shot, Vector, wind_vector
+from archerfish.shot import Apex, Shot, Vector, wind_vector
 
 from . import style
 from .trajectory import Array
@@ -28,18 +28,22 @@ THIN = 0.8
 
 @dataclass(frozen=True)
 class ShotData:
-    """A shot, the apexes of all shots like it, and the same shot without drag; metres."""
+    """A shot, the apexes of all shots like it, and the same shot without drag; metres.
+
+    `x` is along the shot's bearing.
+    """
 
     speed: float
     angle: float
+    azimuth: float
     epsilon: float
     x: Array  # (samples,), launch to landing
     y: Array
     drag_free_x: Array
     drag_free_y: Array
-    locus_x: Array  # (samples,), launch angle from 0 to π
+    locus_x: Array  # (samples,), of the shots to the same side; NaN where none has an apex
     locus_y: Array
-    apex: tuple[float, float]
+    apex: tuple[float, float]  # NaN where there is none
     ground: float
     wind: Vector
 
@@ -47,8 +51,8 @@ class ShotData:
 def shot_data(shot: Shot) -> ShotData:
     """Return the curves of the figure of one shot, plain numbers in its fields.
 
-    The locus is that of shots at every angle with the same launch height and wind. A shot that
-    never lands is drawn until three times its apex time, or three units V₀/g.
+    The locus is that of shots at every angle to the same side, with the same launch height and
+    wind. A shot that never lands is drawn until three times its apex time, or three units V₀/g.
 
     >>> from archerfish import Launcher
     >>> data = shot_data(Launcher(10.0, epsilon=0.1).shot(0.75))
@@ -58,20 +62,22 @@ def shot_data(shot: Shot) -> ShotData:
     launcher = shot.launcher
     free = Launcher(launcher.speed, gravity=launcher.gravity, epsilon=0.0)
     others: dict[str, Any] = {"height": shot.height, "wind": shot.wind, "azimuth": shot.azimuth}
-    fan = launcher.shot(np.linspace(0.0, np.pi, SAMPLES), **others).apex
-    x, y = _path(shot)
-    free_x, free_y = _path(free.shot(shot.angle, ground=shot.ground, **others))
+    # The other half of the locus says nothing of the shot.
+    side = np.pi if np.cos(shot.angle) < 0 else 0.0
+    fan = launcher.shot(np.linspace(side, np.pi / 2, SAMPLES), **others).apex
+    path, free_path = _path(shot), _path(free.shot(shot.angle, ground=shot.ground, **others))
     return ShotData(
         speed=float(launcher.speed),
         angle=float(shot.angle),
+        azimuth=float(shot.azimuth),
         epsilon=float(launcher.epsilon),
-        x=x,
-        y=y,
-        drag_free_x=free_x,
-        drag_free_y=free_y,
-        locus_x=np.asarray(fan.x),
+        x=_along(shot, path),
+        y=np.asarray(path.y),
+        drag_free_x=_along(shot, free_path),
+        drag_free_y=np.asarray(free_path.y),
+        locus_x=_along(shot, fan),
         locus_y=np.asarray(fan.y),
-        apex=(float(shot.apex.x), float(shot.apex.y)),
+        apex=(float(_along(shot, shot.apex)), float(shot.apex.y)),
         ground=float(shot.ground),
         wind=shot.wind,
     )
@@ -79,10 +85,8 @@ def shot_data(shot: Shot) -> ShotData:
 
 def draw_shot(ax: Axes, data: ShotData) -> None:
     """Draw the figure of one shot on equal axes."""
-    top = max(data.y.max(), data.drag_free_y.max(), np.nanmax(data.locus_y))
+    top = _finite(data.y, data.drag_free_y, data.locus_y).max()
     unit, metres = style.length_unit(float(max(top, np.ptp(data.x))))
-    # Half of the locus is on the side the shot goes to; the other half says nothing of it.
-    side = data.locus_x * np.sign(data.x[-1] or 1.0) >= min(0.0, data.apex[0])
     ax.plot(
         data.drag_free_x / metres,
         data.drag_free_y / metres,
@@ -91,25 +95,32 @@ def draw_shot(ax: Axes, data: ShotData) -> None:
         linewidth=THIN,
         label="without drag",
     )
-    ax.plot(
-        data.locus_x[side] / metres,
-        data.locus_y[side] / metres,
-        color=style.BLUE,
-        linewidth=1.8,
-        label="locus of apexes",
-    )
+    if _finite(data.locus_y).size:
+        ax.plot(
+            data.locus_x / metres,
+            data.locus_y / metres,
+            color=style.BLUE,
+            linewidth=1.8,
+            label="locus of apexes",
+        )
     ax.plot(data.x / metres, data.y / metres, color=style.BLACK, label="shot")
     ax.plot(*(np.array(data.apex)[:, np.newaxis] / metres), "o", color=style.BLUE, zorder=3)
     _ground(ax, data.ground / metres)
-    _finish(ax, unit)
+    _finish(ax, unit, x="along the bearing" if data.azimuth else "$x$")
 
 
 def caption_shot(data: ShotData) -> str:
     """Return the caption of the figure of one shot."""
+    bearing = f", azimuth {np.degrees(data.azimuth):g}°," if data.azimuth else ""
+    locus = ""
+    if np.isfinite(data.apex[1]):
+        locus = ", its apex (dot) on the locus of apexes (blue)"
+    elif _finite(data.locus_y).size:
+        locus = ", the locus of apexes (blue) of shots aimed upward"
     return (
-        f"Shot at V₀ = {data.speed:g} m/s and launch angle α = {np.degrees(data.angle):g}° with "
-        f"drag parameter ε = bV₀/g = {data.epsilon:.4g}{_in_wind(data.wind)} (black), its apex "
-        f"(dot) on the locus of apexes (blue), and the same shot without drag (dashed red)."
+        f"Shot at V₀ = {data.speed:g} m/s and launch angle α = {np.degrees(data.angle):g}°"
+        f"{bearing} with drag parameter ε = bV₀/g = {data.epsilon:.4g}{_in_wind(data.wind)} "
+        f"(black){locus}, and the same shot without drag (dashed red)."
     )
 
 
@@ -150,7 +161,7 @@ def aim_data(
     """
     target = (float(answer.target.x), float(answer.target.y))
     arcs = (answer.low, answer.high) if isinstance(answer, Aim) else ()
-    paths = tuple(_path(arc.shot, float(arc.time)) for arc in arcs)
+    paths = [_path(arc.shot, float(arc.time)) for arc in arcs]
     air = wind_vector(wind)
     envelope = _envelope(launcher, air, target, height)
     return AimData(
@@ -161,7 +172,7 @@ def aim_data(
         wind=air,
         reachable=bool(arcs),
         margin=float(answer.margin),
-        arcs=paths,
+        arcs=tuple((np.asarray(path.x), np.asarray(path.y)) for path in paths),
         apexes=tuple((float(arc.apex.x), float(arc.apex.y)) for arc in arcs),
         envelope_x=envelope[0],
         envelope_y=envelope[1] + height,
@@ -333,7 +344,7 @@ def size(data: ShotData | AimData | FanData) -> tuple[float, float]:
     """Return width and height in inches that suit equal axes."""
     if isinstance(data, ShotData):
         x = np.concatenate([data.x, data.drag_free_x])
-        y = np.concatenate([data.y, data.drag_free_y, data.locus_y])
+        y = _finite(data.y, data.drag_free_y, data.locus_y)
     elif isinstance(data, AimData):
         x = np.append(data.envelope_x, data.target[0])
         y = np.append(data.envelope_y, data.target[1])
@@ -344,14 +355,24 @@ def size(data: ShotData | AimData | FanData) -> tuple[float, float]:
     return WIDTH, legend + 0.6 + min(max(height, LEAST_HEIGHT), GREATEST_HEIGHT)
 
 
-def _path(shot: Shot, until: float | None = None) -> tuple[Array, Array]:
-    """x and y of a flight until it lands, or until that time."""
+def _path(shot: Shot, until: float | None = None) -> Vector:
+    """Places of a flight until it lands, or until that time."""
     if until is None:
         until = float(shot.flight_time)
     if np.isnan(until):
         until = 3.0 * float(np.nanmax([shot.apex.time, shot.launcher.time_scale]))
-    place = shot.position(np.linspace(0.0, until, SAMPLES))
-    return np.asarray(place.x), np.asarray(place.y)
+    return shot.position(np.linspace(0.0, until, SAMPLES))
+
+
+def _along(shot: Shot, place: Vector | Apex) -> Array:
+    """How far a place is along the bearing of a shot."""
+    return np.asarray(place.x * np.cos(shot.azimuth) + place.z * np.sin(shot.azimuth))
+
+
+def _finite(*arrays: Array) -> Array:
+    """All their numbers that are finite."""
+    numbers = np.concatenate(arrays)
+    return numbers[np.isfinite(numbers)]
 
 
 def _envelope(
@@ -361,6 +382,11 @@ def _envelope(
     drag, gravity = float(launcher.drag_rate), float(launcher.gravity)
     upward = np.array([-drag * float(wind.x), gravity - drag * float(wind.y)])
     strength = float(np.hypot(*upward))
+    side = -1.0 if target[0] < 0 else 1.0
+    if strength == 0.0:
+        # Wind carries the whole weight: straight ways of one length, in every direction.
+        length, turn = float(launcher.envelope.wall), np.linspace(-0.5, 0.5, SAMPLES) * np.pi
+        return side * length * np.cos(turn), length * np.sin(turn)
     up = upward / strength
     tilted = Launcher(launcher.speed, gravity=strength, drag_rate=drag)
     # Down to where the target is, and to the ground.
@@ -370,7 +396,6 @@ def _envelope(
     rise = np.asarray(tilted.envelope.height(distance))
     distance, rise = distance[np.isfinite(rise)], rise[np.isfinite(rise)]
     x, y = distance * up[1] + rise * up[0], -distance * up[0] + rise * up[1]
-    side = -1.0 if target[0] < 0 else 1.0
     shown = (y >= lowest) & (x * side >= 0.0)
     return x[shown], y[shown]
 
@@ -379,10 +404,10 @@ def _ground(ax: Axes, height: float) -> None:
     ax.axhline(height, color=style.GREY, linewidth=style.FAINT, zorder=0)
 
 
-def _finish(ax: Axes, unit: str, columns: int = 4) -> None:
+def _finish(ax: Axes, unit: str, columns: int = 4, x: str = "$x$") -> None:
     ax.set_aspect("equal")
     style.plain_ticks(ax.xaxis)
     style.plain_ticks(ax.yaxis)
-    ax.set_xlabel(f"horizontal distance $x$ ({unit})")
+    ax.set_xlabel(f"horizontal distance {x} ({unit})")
     ax.set_ylabel(f"height $y$ ({unit})")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), borderaxespad=0.2, ncols=columns)

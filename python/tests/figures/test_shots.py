@@ -36,6 +36,60 @@ def test_the_apex_of_the_shot_is_on_the_locus():
         assert axes.get_aspect() == 1.0
 
 
+@pytest.mark.parametrize(
+    ("angle", "height", "wind", "epsilon"),
+    [
+        (60, 0.0, (-8.0, 0.0), 1.0),  # blown to the other side of the launcher
+        (120, 2.0, (30.0, 0.0), 0.1),
+        (60, 0.0, (0.0, 0.0), 0.1),
+    ],
+)
+def test_the_locus_is_one_curve_from_the_ground_to_its_top(angle, height, wind, epsilon):
+    shot = Launcher(10.0, epsilon=epsilon).shot(np.radians(angle), height=height, wind=wind)
+    data, axes, _ = drawn("shot", shot)
+    [locus] = [line for line in axes.lines if line.get_label() == "locus of apexes"]
+    x, y = locus.get_data()
+    assert y[0] == pytest.approx(height, abs=1e-12)
+    assert np.all(np.diff(y) >= 0)
+    steps = np.hypot(np.diff(x), np.diff(y))
+    assert steps.max() < 0.1 * steps.sum()  # no chord
+    assert np.hypot(x - data.apex[0], y - data.apex[1]).min() < steps.max()
+
+
+def test_where_there_is_no_apex_no_dot_is_spoken_of():
+    _, axes, caption = drawn("shot", LAUNCHER.shot(np.radians(-30), height=2.0))
+    assert "dot" not in caption
+    assert "locus of apexes (blue)" in caption
+    assert "locus of apexes" in labels(axes)
+
+
+def test_a_shot_that_rising_air_carries_away():
+    shot = Launcher(10.0, epsilon=1.0).shot(np.radians(45), wind=(0.0, 12.0))
+    data, axes, caption = drawn("shot", shot)
+    assert np.isfinite(SHOT_FIGURES["shot"].size(data)).all()
+    assert labels(axes) == ["without drag", "shot"]
+    assert "locus" not in caption
+
+
+def test_a_shot_to_the_side_is_seen_along_its_bearing():
+    straight, aside = (shot_data(LAUNCHER.shot(0.7, azimuth=a)) for a in (0.0, np.pi / 2))
+    np.testing.assert_allclose(aside.x, straight.x, rtol=1e-14)
+    np.testing.assert_allclose(aside.locus_x, straight.locus_x, rtol=1e-14)
+    _, axes, caption = drawn("shot", LAUNCHER.shot(0.7, azimuth=np.pi / 2))
+    assert axes.get_xlabel() == "horizontal distance along the bearing (m)"
+    assert "azimuth 90°" in caption
+
+
+def test_where_wind_carries_the_whole_weight_the_envelope_is_a_circle():
+    launcher = Launcher(10.0, gravity=10.0, epsilon=1.0)
+    wind = (0.0, 10.0)
+    data, axes, _ = drawn("aim", launcher, launcher.aim(-3.0, 2.0, wind=wind), 0.0, wind)
+    np.testing.assert_allclose(np.hypot(data.envelope_x, data.envelope_y), 10.0)
+    assert labels(axes) == ["envelope", "low arc", "high arc", "target"]
+    for x, y in data.arcs:
+        np.testing.assert_allclose(y, x * (2.0 / -3.0), atol=1e-14)
+
+
 def test_captions_tell_of_the_wind_and_of_the_third_coordinate():
     _, _, calm = drawn("shot", LAUNCHER.shot(0.7))
     _, _, windy = drawn("shot", LAUNCHER.shot(0.7, wind=(-8.0, 1.0)))
