@@ -124,6 +124,8 @@ def _opened(source: str) -> Iterator[tuple[TextIO, int | None]]:
     """The input as text, and its size in bytes where that is known."""
     try:
         if source == "-":
+            if sys.stdin is None:
+                raise click.ClickException("cannot read standard input: it is closed")
             raw: BinaryIO = sys.stdin.buffer
             size = None
         else:
@@ -151,7 +153,8 @@ def _convert(
     command: str,
 ) -> None:
     # A CSV that goes to the same terminal is progress enough.
-    shown = sys.stderr.isatty() and not (target is sys.stdout.buffer and sys.stdout.isatty())
+    told = sys.stderr is not None and sys.stderr.isatty()
+    shown = told and not (target is sys.stdout.buffer and sys.stdout.isatty())
     reader = csv.reader(stream)
     header = _header(reader, question, given)
     columns = question.answered(_names(question, header, given))

@@ -157,6 +157,39 @@ def test_standard_output_that_is_closed(tmp_path):
     assert (tmp_path / "a.csv").read_text().startswith("launch_angle_deg,")
 
 
+BATCH = f"{sys.executable} -m archerfish shot --speed 10 --epsilon 0.1 --batch"
+
+
+@pytest.mark.parametrize("source", ["-", "in.csv"])
+def test_standard_input_that_is_closed(tmp_path, source):
+    (tmp_path / "in.csv").write_text("launch_angle_deg\n45\n")
+    done = subprocess.run(
+        ["bash", "-c", f"{BATCH} {source} <&-"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    if source == "-":
+        message = "archerfish: cannot read standard input: it is closed\n"
+        assert (done.returncode, done.stdout, done.stderr) == (1, "", message)
+    else:
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_standard_error_that_is_closed(tmp_path):
+    (tmp_path / "in.csv").write_text("launch_angle_deg\n45\nx\n")
+    done = subprocess.run(
+        ["bash", "-c", f"{BATCH} in.csv --output out.csv 2>&-"],
+        stdout=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (0, "wrote out.csv\n")
+    assert "must be a number" in (tmp_path / "out.csv").read_text()
+
+
 def test_a_device_that_is_full_is_named(command):
     done = command(*SHOT, "--output", "/dev/full")
     assert done.stderr == "archerfish: cannot write /dev/full: No space left on device\n"
