@@ -15,7 +15,7 @@ import numpy.typing as npt
 from archerfish import _core
 from archerfish import named_angles as named
 from archerfish.kinematics import drift
-from archerfish.quadrature import gauss_legendre
+from archerfish.quadrature import gauss_legendre, weighted_sum
 from archerfish.values import Quantity, Value, frozen
 from archerfish.zeros import FloatArray
 
@@ -122,4 +122,4 @@ def _third_moment(delta: FloatArray) -> FloatArray:
     """∫₀¹ x²/(1 − δx) dx for δ up to 1/2, where 16 Gauss nodes are exact."""
     nodes, weights = gauss_legendre()
     x, weight = 0.5 * (1 + nodes), 0.5 * weights
-    return np.asarray((x * x / (1 - delta[..., np.newaxis] * x)) @ weight)
+    return weighted_sum(x * x / (1 - delta[..., np.newaxis] * x), weight)

@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 from archerfish.kinematics import array, drift, fall
-from archerfish.quadrature import gauss_legendre
+from archerfish.quadrature import gauss_legendre, weighted_sum
 from archerfish.shot import record
 from archerfish.values import Quantity, Value, finite, frozen, not_negative
 from archerfish.zeros import FloatArray
@@ -335,7 +335,7 @@ def _tail(w: FloatArray) -> FloatArray:
     nodes, weights = gauss_legendre()
     share, weight = 0.5 * (1 + nodes), 0.25 * weights
     near = np.minimum(w, _FAR)[..., np.newaxis]
-    return np.asarray(np.cosh(near * share) @ (weight * (1 - share) ** 2))
+    return weighted_sum(np.cosh(near * share), weight * (1 - share) ** 2)
 
 
 def _moments(time: FloatArray, drag: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -348,8 +348,8 @@ def _moments(time: FloatArray, drag: FloatArray) -> tuple[FloatArray, FloatArray
     w = drag * time
     near = np.minimum(w, _FAR)[..., np.newaxis]
     decays = np.exp(-near * share)
-    first = decays @ (weight * share)
-    second = decays @ (weight * share * (1 - share))
+    first = weighted_sum(decays, weight * share)
+    second = weighted_sum(decays, weight * share * (1 - share))
     far, decay = w > _FAR, np.exp(-w)
     # Where w is huge, its powers overflow before the quotient does not matter.
     first = np.where(far, (1 - (1 + w) * decay) / w / w, first)

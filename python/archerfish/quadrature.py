@@ -65,18 +65,29 @@ def over_panels(
             continue
         half = 0.5 * (right - left)
         variable = (0.5 * (right + left))[..., np.newaxis] + half[..., np.newaxis] * nodes
-        total += half * (integrand(variable) @ weights)
+        total += half * weighted_sum(integrand(variable), weights)
     return total
+
+
+def weighted_sum(values: FloatArray, weights: FloatArray) -> FloatArray:
+    """Σ `values` × `weights` over the last axis.
+
+    A product of matrices adds up in an order that depends on the number of rows: the last digit of
+    a row would depend on its neighbours.
+    """
+    return np.asarray(np.ascontiguousarray(values * weights).sum(axis=-1))
 
 
 def _graded_edges(eps: FloatArray) -> list[FloatArray]:
     """Edges (π/2)(q^{j/J} − 1)/ε with q = 1 + ε, from 0 to π/2; at weak drag equal steps."""
-    panels = _LEAST_PANELS + _PANELS_PER_E_FOLD * int(np.ceil(np.max(np.log1p(eps), initial=0.0)))
+    # Each ε has as many as it wants, whatever its neighbours want: the others are empty, at π/2.
+    panels = _LEAST_PANELS + _PANELS_PER_E_FOLD * np.ceil(np.log1p(eps))
     # So little drag moves no edge that matters, and the quotient below keeps its digits.
     eps = np.maximum(eps, 1e-6)
     log_q = np.log1p(eps)
     return [
-        np.minimum(np.expm1(j / panels * log_q) / eps, 1.0) * (np.pi / 2) for j in range(panels + 1)
+        np.where(j < panels, np.expm1(j / panels * log_q) / eps, 1.0) * (np.pi / 2)
+        for j in range(int(np.max(panels, initial=_LEAST_PANELS)) + 1)
     ]
 
 

@@ -36,6 +36,16 @@ def test_any_part_of_the_half_turn_in_either_direction(start, stop):
     assert found == pytest.approx(np.cos(start) - np.cos(stop), rel=1e-14, abs=0)
 
 
+def test_what_an_element_gives_does_not_depend_on_its_neighbours():
+    eps = np.concatenate([[0.0, 1e-310, 1e300], 10 ** np.linspace(-3, 6, 200)])
+    locus = Launcher(1.0, gravity=1.0, epsilon=eps).locus
+    lengths = locus.arc_length(0.3, 2.0)
+    for index, each in enumerate(eps):
+        alone = Launcher(1.0, gravity=1.0, epsilon=each).locus
+        assert alone.area == locus.area[index]
+        assert alone.arc_length(0.3, 2.0) == lengths[index]
+
+
 def test_an_empty_interval_is_zero_and_shapes_broadcast():
     found = integral(lambda a, _: np.cos(a), [[0.0], [1.0]], [1.0, 0.5, 0.0], [0.0, 1.0, 1e6])
     expected = np.sin([1.0, 0.5, 0.0]) - np.sin([[0.0], [1.0]])
