@@ -54,7 +54,7 @@ GROUND = Parameter("ground", "ground_m", "Height y of the ground, m.", 0.0)
 WIND = (
     Parameter("wind_x", "wind_x_m_per_s", "Wind along x, m/s.", 0.0),
     Parameter("wind_y", "wind_y_m_per_s", "Wind upward, m/s.", 0.0),
-    Parameter("wind_z", "wind_z_m_per_s", "Wind along z, m/s.", 0.0),
+    Parameter("wind_z", "wind_z_m_per_s", "Wind along z, m/s; an aim is then in space."),
 )
 X = Parameter("x", "x_m", "Horizontal coordinate x, m.")
 Y = Parameter("y", "y_m", "Height y, m.")
@@ -98,6 +98,5 @@ def angle_of(values: Values) -> npt.NDArray[np.float64]:
 
 
 def wind_of(values: Values) -> tuple[Any, ...]:
-    """The wind, in space only where it or the target is."""
-    wind = tuple(values[each.name] for each in WIND)
-    return wind if np.any(np.asarray(wind[2]) != 0) else wind[:2]
+    """The wind, in space where its third component is given at all, be it 0."""
+    return tuple(values[each.name] for each in WIND if each.name in values)

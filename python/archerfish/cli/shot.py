@@ -137,8 +137,9 @@ def _table(one: Shot, values: Values) -> str:
         ("drag parameter ε", f"{launcher.epsilon:g}"),
         ("terminal speed", f"{launcher.terminal_speed:g} m/s"),
     ]
-    if any(values[name] for name in ("wind_x", "wind_y", "wind_z")):
-        scales.append(("wind", f"{', '.join(f'{values[each.name]:g}' for each in WIND)} m/s"))
+    wind = wind_of(values)
+    if any(wind):
+        scales.append(("wind", f"{', '.join(f'{part:g}' for part in wind)} m/s"))
     if values["height"] or values["ground"]:
         scales.append(("from, to height", f"{values['height']:g} m, {values['ground']:g} m"))
     pair = (one, free)

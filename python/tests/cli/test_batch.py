@@ -97,6 +97,17 @@ def test_aim_angles_and_envelope(output):
     assert places[0]["status"] == "reachable"
 
 
+def test_a_row_does_not_depend_on_its_neighbours(output):
+    """A column wind_z_m_per_s aims in space, whether there is such a wind in the block or not."""
+    flags = ("aim", "--batch", "-", "--speed", "10", "--epsilon", "0.1")
+    header, calm = "x_m,y_m,wind_z_m_per_s\n", "-5,1,0\n"
+    alone = rows(output(*flags, input=header + calm))[0]
+    assert alone == rows(output(*flags, input=f"{header}{calm}5,1,3\n"))[0]
+    assert float(alone["low_azimuth_deg"]) == 180.0
+    in_plane = rows(output(*flags, input="x_m,y_m\n-5,1\n"))[0]
+    assert float(in_plane["low_launch_angle_deg"]) > 90.0
+
+
 OBSTACLES = """\
 x_m,y_m,obstacle_x_m,obstacle_y_m,ceiling_m
 6,2,3,2.5,4
