@@ -155,7 +155,7 @@ def _convert(
     # A CSV that goes to the same terminal is progress enough.
     told = sys.stderr is not None and sys.stderr.isatty()
     shown = told and not (target is sys.stdout.buffer and sys.stdout.isatty())
-    reader = csv.reader(stream)
+    reader = csv.reader(stream, strict=True)
     header = _header(reader, question, given)
     columns = question.answered(_names(question, header, given))
     text = io.TextIOWrapper(
@@ -165,7 +165,7 @@ def _convert(
         csv.writer(text, lineterminator="\n").writerow([*header, *columns, REASON])
         tally = _Tally(command)
         with _progress(stream, size, shown) as advance:
-            for block in _blocks(reader, tally):
+            for block in _blocks(reader):
                 _answer_block(question, columns, header, block, given, text, tally)
                 advance(tally)
         tally.end()
@@ -224,18 +224,27 @@ def _refused(message: str) -> RefusedValue:
     return RefusedValue(message, click.get_current_context(silent=True))
 
 
-def _blocks(reader: Iterator[list[str]], tally: _Tally) -> Iterator[list[list[str]]]:
-    """The rows, some thousands at a time; blank lines are no rows."""
-    while True:
-        try:
-            block = list(itertools.islice(reader, BLOCK))
-        except csv.Error as error:
-            line = tally.rows + 1
-            raise _refused(f"the input is not CSV after row {line}: {error}") from error
-        if not block:
-            return
-        if rows := [row for row in block if row]:
+def _blocks(reader: Any) -> Iterator[list[list[str]]]:
+    """The rows, some thousands at a time; blank lines are no rows.
+
+    What comes before a line that is no CSV is answered.
+    """
+    rows: list[list[str]] = []
+    read = reader.line_num
+    try:
+        for row in reader:
+            read = reader.line_num
+            if row:
+                rows.append(row)
+            if len(rows) == BLOCK:
+                yield rows
+                rows = []
+    except csv.Error as error:
+        if rows:
             yield rows
+        raise _refused(f"the input is not CSV from line {read + 1} on: {error}") from error
+    if rows:
+        yield rows
 
 
 def _answer_block(
@@ -287,6 +296,8 @@ def _complete(block: list[list[str]], header: list[str], reasons: list[str]) -> 
     for index, row in enumerate(block):
         if len(row) != len(header):
             reasons[index] = f"{len(row)} cells where the header has {len(header)}"
+            if extra := row[len(header) :]:
+                reasons[index] += f", left over: {', '.join(map(repr, extra))}"
             row[len(header) :] = []
             row += [""] * (len(header) - len(row))
 
@@ -310,12 +321,15 @@ def _numbers(
 ) -> npt.NDArray[np.float64]:
     """One column as numbers: NaN, and a reason, where a cell is none."""
     try:
-        return np.array(list(map(float, cells)))
+        if "_" not in "".join(cells):
+            return np.array(list(map(float, cells)))
     except ValueError:
-        numbers = np.full(len(cells), np.nan)
+        pass
+    numbers = np.full(len(cells), np.nan)
     for index, cell in enumerate(cells):
         try:
-            numbers[index] = float(cell)
+            # Python would take 1_0 for 10.
+            numbers[index] = float(cell.replace("_", "?"))
         except ValueError:
             what = f"got {cell!r}" if cell.strip() else "the cell is empty"
             reasons[index] = reasons[index] or f"{parameter.column} must be a number, {what}"

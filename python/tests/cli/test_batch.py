@@ -23,6 +23,7 @@ six,10
 seven,-20,8,9
 
 eight,90,8
+nine,1_0,8
 """
 BAD = {
     2: "launch_angle_deg must be a number, got 'x'",
@@ -30,7 +31,8 @@ BAD = {
     4: "launch angle must be from -180 to 180 degrees, got 200.0",
     5: "launch_angle_deg must be a number, the cell is empty",
     6: "2 cells where the header has 3",
-    7: "4 cells where the header has 3",
+    7: "4 cells where the header has 3, left over: '9'",
+    9: "launch_angle_deg must be a number, got '1_0'",
 }
 
 
@@ -44,7 +46,7 @@ def test_columns_are_kept_and_bad_rows_told_of(command, tmp_path):
     assert done.returncode == 0
     found = rows(done.stdout)
     assert [row["name"] for row in found][:3] == ["one", "two, too", "three"]
-    assert len(found) == 8
+    assert len(found) == 9
     for number, row in enumerate(found, start=1):
         assert row["reason"] == BAD.get(number, "")
         assert (row["flight_time_s"] == "nan") == (number in BAD)
@@ -53,8 +55,31 @@ def test_columns_are_kept_and_bad_rows_told_of(command, tmp_path):
     assert float(found[0]["landing_angle_deg"]) == np.degrees(shot.landing.angle)
     assert done.stderr.splitlines() == [
         *(f"archerfish shot: row {number}: {reason}" for number, reason in BAD.items()),
-        "archerfish shot: 6 of 8 rows are bad: NaN, with the reason in the last column",
+        "archerfish shot: 7 of 9 rows are bad: NaN, with the reason in the last column",
     ]
+
+
+@pytest.mark.parametrize(
+    ("line", "what"),
+    [
+        ('4,"a', "unexpected end of data"),
+        ('4,"a"b', "',' expected after '\"'"),
+        ("4," + "a" * 200_000, "field larger than field limit (131072)"),
+    ],
+)
+def test_what_comes_before_a_line_that_is_no_csv_is_answered(command, tmp_path, line, what):
+    names = ["one", "two\nlines", "", "three"]
+    table = io.StringIO()
+    csv.writer(table).writerows([["launch_angle_deg", "name"], *([45, name] for name in names)])
+    text = "\n".join([table.getvalue() + line, *["50,good"] * 6, ""])
+    flags = ("shot", "--speed", "10", "--epsilon", "0.1", "--batch", "-")
+    done = command(*flags, input=text)
+    assert done.returncode == 2
+    message = f"the input is not CSV from line 7 on: {what}"
+    assert done.stderr == f"archerfish shot: {message}\n"
+    assert [row["name"] for row in rows(done.stdout)] == names
+    assert command(*flags, "--output", "out.csv", input=text).returncode == 2
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_single_case_is_a_batch_of_one(output):
