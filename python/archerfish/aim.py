@@ -395,8 +395,13 @@ def _minimum_speed(plane: _Plane, drag: FloatArray) -> FloatArray:
     )
     away = np.hypot(distance, rise)
     # Without drag V² = g (y + r), written so that it keeps its digits for a target below.
-    doubled = np.where(rise >= 0, rise + away, distance * (distance / (away - rise)))
-    still = np.sqrt(strength) * np.sqrt(np.where(away > 0, doubled, 0.0))
+    sinking = distance / np.sqrt(away - rise)
+    still = np.sqrt(strength) * np.where(rise >= 0, np.sqrt(rise + away), sinking)
+    # With it, this speed or twice as much: V = (r + g F)/D at the time t when g F is as long as r,
+    # the way to the target. A greater one could have an ε that overflows.
+    time = np.minimum(time_of_fall(away / strength, drag), 1e300)
+    lifted = np.where(rise >= 0, rise + away, sinking * sinking)
+    enough = 2 * np.hypot(distance, lifted) / drift(time, drag)
 
     def missing(speed: FloatArray) -> FloatArray:
         unit = strength / speed
@@ -404,7 +409,7 @@ def _minimum_speed(plane: _Plane, drag: FloatArray) -> FloatArray:
         return np.asarray(rise / speed * unit - height)
 
     low = np.where(still > 0, 0.5 * still, 1.0)
-    high = np.where(still > 0, 1e150, 1.0)
+    high = np.where(still > 0, enough, 1.0)
     speed = np.nextafter(zero_between(missing, low, high), np.inf)
     speed = np.where(still > 0, speed, 0.0)
     return np.where(np.isnan(distance + rise), np.nan, speed)

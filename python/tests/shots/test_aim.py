@@ -194,6 +194,25 @@ def test_minimum_speed_without_drag_is_the_textbook_s():
     np.testing.assert_allclose(found, expected, rtol=1e-14)
 
 
+def test_minimum_speed_at_the_extremes():
+    """It is the boundary however strong the drag is, near the launcher and far from it."""
+    rng = np.random.default_rng(10)
+    count = 20_000
+    speed, eps = 10 ** rng.uniform(-1, 2, count), 10 ** rng.uniform(-3, 300, count)
+    launcher = Launcher(speed, epsilon=eps)
+    x = rng.uniform(0.01, 0.99, count) * launcher.envelope.reach
+    depth = np.where(rng.random(count) < 0.5, x, 10 ** rng.uniform(-3, 3, count))
+    y = depth * rng.choice([-1.0, 0.0], count)
+    least = launcher.minimum_speed(x, y)
+    assert np.all(least >= x * launcher.drag_rate * (1 - 1e-15))
+    assert np.all(least <= speed)
+    for factor, reached in ((1 + 1e-9, True), (1 - 1e-9, False)):
+        again = launcher.replace(speed=least * factor, drag_rate=launcher.drag_rate)
+        assert np.all(again.reachable(x, y) == reached)
+    far = Launcher(10.0, drag_rate=0.5).minimum_speed([1e200, 1e10], 0.0)
+    np.testing.assert_allclose(far, [5e199, 5e9], rtol=1e-7)
+
+
 def test_clearance():
     arcs = Launcher(10.0, epsilon=0.1).aim([6.0, 7.0], 1.0)
     for arc in (arcs.low, arcs.high):
