@@ -162,9 +162,9 @@ class Aim(Value):
     """Both arcs to a target, or to each of many; NaN where a target is out of reach.
 
     `low` is the flat and fast one, `high` the steep and slow; on the envelope they are one, and
-    where wind carries the whole weight.
-    `status` is `REACHABLE`, `UNREACHABLE`, or `UNDEFINED` where a coordinate is NaN. `margin` (m)
-    is the target's height above the envelope, negative below it.
+    where wind carries the whole weight. `status` is `REACHABLE`, `UNREACHABLE`, or `UNDEFINED`
+    where a coordinate is not finite. `margin` (m) is the target's height above the envelope,
+    negative below it.
 
     >>> from archerfish import Launcher
     >>> arcs = Launcher(10.0, epsilon=0.1).aim([4.0, 9.0, np.nan], 3.0)
@@ -187,7 +187,8 @@ class Aim(Value):
     @cached_property
     def status(self) -> npt.NDArray[np.int8]:
         """`REACHABLE`, `UNREACHABLE` or `UNDEFINED`, for each target."""
-        known = ~np.isnan(np.asarray(self.target.x) + self.target.y + self.target.z)
+        place = self.target
+        known = np.isfinite(place.x) & np.isfinite(place.y) & np.isfinite(place.z)
         hit = np.asarray(self.reachable)
         return np.where(hit, REACHABLE, np.where(known, UNREACHABLE, UNDEFINED)).astype(np.int8)
 
@@ -270,7 +271,7 @@ def minimum_speed(
     """The least launch speed (m/s) whose envelope reaches the target `x`, `y`, `z` (m).
 
     `gravity` (m/s²), `drag_rate` (1/s), the launch `height` (m) and `wind` (m/s) broadcast with the
-    target. 0 for a target straight below; NaN for a target that is NaN.
+    target. 0 for a target straight below; NaN for a target that is not finite.
 
     >>> round(minimum_speed(3.0, 4.0, gravity=10.0, drag_rate=0.0) ** 2, 12)  # g (y + r)
     90.0
@@ -284,7 +285,7 @@ def minimum_speed(
 
 
 def _target(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None) -> Vector:
-    """Targets as vectors; NaN is welcome, what is no number is not."""
+    """Targets as vectors; NaN and infinity are welcome, what is no number is not."""
     places = {"x": x, "y": y, "z": 0.0 if z is None else z}
     numbers = {name: real(f"target {name}", place) for name, place in places.items()}
     try:
@@ -311,6 +312,7 @@ def _plane(
     strength = np.where(weightless, _LEAST_PULL * gravity, strength)
     up = np.where(weightless, vector(0.0, 1.0, 0.0), upward / strength)
     place = vector(target.x, np.subtract(target.y, height), target.z)
+    place = np.where(np.all(np.isfinite(place), axis=0), place, np.nan)  # no place at infinity
     rise = np.sum(place * up, axis=0)
     across = place - rise * up
     distance = _length(across)

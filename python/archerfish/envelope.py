@@ -47,8 +47,8 @@ class Envelope(Value):
         return frozen(height)
 
     def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> bool | npt.NDArray[np.bool_]:
-        """Whether the target at `x`, `y` (m) is on or under the envelope."""
-        inside = np.asarray(np.less_equal(array(y), self.height(x)))
+        """Whether the target at `x`, `y` (m) is on or under the envelope; both must be finite."""
+        inside = np.asarray((array(y) <= self.height(x)) & np.isfinite(array(y)))
         return bool(inside) if inside.ndim == 0 else inside
 
     @cached_property

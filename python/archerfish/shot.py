@@ -343,7 +343,7 @@ class Shot(Value):
         speed, pull = self._launch[0], self._pull[0]
         with np.errstate(all="ignore"):
             time = time_of_drift(array(x) / speed, self._drag)
-            time = np.where(array(x) == 0, 0.0, time)
+            time = np.where((array(x) == 0) & ~np.isnan(speed), 0.0, time)
             if np.any(pull != 0):
                 windy, _ = _times_in_wind(array(x), speed, pull, self._drag)
                 time = np.where(pull == 0, time, windy)

@@ -94,6 +94,10 @@ def test_speed_and_gravity_are_above_0_and_finite(bad):
             "epsilon, from this terminal_speed, must be at least 0 and finite, got inf",
         ),
         (
+            {"epsilon": 1e308, "gravity": 100.0},
+            "drag rate, from this epsilon, must be at least 0 and finite, got inf",
+        ),
+        (
             {"epsilon": [0.1, -2.0]},
             "epsilon must be at least 0 and finite, got -2.0 among 2 values",
         ),

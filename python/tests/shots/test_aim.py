@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from archerfish import Launcher
-from archerfish.aim import Aim, Unreachable, minimum_speed
+from archerfish.aim import UNDEFINED, Aim, Unreachable, minimum_speed
 
 TARGETS = 1_000_000
 
@@ -184,6 +184,20 @@ def test_batches_have_a_status_and_no_exception():
     one = Launcher(10.0, epsilon=0.1).aim(4.0, 1.0)
     assert arcs.low.angle[0] == one.low.angle
     assert arcs.low.angle[3] == np.pi - one.low.angle
+
+
+@pytest.mark.parametrize("wind", [None, (1.0, 2.0), (1.0, 2.0, 3.0)])
+def test_a_target_at_infinity_is_no_target(wind):
+    launcher = Launcher(10.0, epsilon=0.1)
+    for place in ((np.inf, 0.0), (-np.inf, 0.0), (5.0, np.inf), (5.0, -np.inf), (0.0, -np.inf)):
+        alone = launcher.aim(*place, wind=wind)
+        assert alone.status == UNDEFINED
+        for number in (alone.margin, alone.minimum_speed, alone.low.angle, alone.high.time):
+            assert np.isnan(number)
+        assert not alone.reachable
+        assert not launcher.reachable(*place)
+        x, y = zip(place, (5.0, 1.0), strict=True)
+        assert launcher.aim(x, y, wind=wind).status.tolist() == [UNDEFINED, 0]
 
 
 def test_minimum_speed_without_drag_is_the_textbook_s():

@@ -180,6 +180,14 @@ def test_path_length_of_steep_and_of_strongly_resisted_shots():
     assert np.isnan(launcher.shot(0.8).path_length(-1.0)).all()
 
 
+def test_a_shot_that_is_none_is_nowhere():
+    launcher = Launcher(10.0, epsilon=0.1)
+    for wind in (None, (-1.0, 0.0)):
+        shots = launcher.shot([np.nan, 4.0, 0.7], wind=wind)
+        assert np.isnan(shots.time_at(0.0)).tolist() == [True, True, False]
+        assert np.isnan(shots.height_at(0.0)).tolist() == [True, True, False]
+
+
 def test_path_length_in_weightless_air():
     """Straight on, V (1 − e^{−bt})/b, however long one waits: not less and less of it."""
     launcher = Launcher(10.0, terminal_speed=5.0)
