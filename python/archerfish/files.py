@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 import stat
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +13,10 @@ from typing import BinaryIO
 
 #: Somebody may write: where nobody may, not even the superuser's command replaces a file.
 _WRITABLE = stat.S_IWUSR | stat.S_IWGRP | stat.S_IWOTH
+
+
+_STANDARD = {"/dev/stdout": 1, "/dev/stderr": 2}
+_DESCRIPTORS = re.compile(r"/(?:dev|proc/self)/fd/(\d+)")
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
@@ -30,6 +35,10 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """
     target = Path(path)
     try:
+        if (descriptor := _descriptor(target)) is not None:
+            with open(os.dup(descriptor), "wb") as stream:  # noqa: PTH123 - a number, not a path
+                yield stream
+            return
         if target.exists() and not target.is_file():
             # A device or a pipe must not be replaced by a file. A folder raises here.
             with target.open("wb") as stream:
@@ -57,3 +66,14 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     except OSError as error:
         # The caller knows `path`, not the file beside it.
         raise type(error)(error.errno, error.strerror, os.fspath(path)) from error
+
+
+def _descriptor(path: Path) -> int | None:
+    """The open file that a path like /dev/stdout stands for.
+
+    Opened by its name it would be a second one, at its start again; resolved, the file somebody
+    redirected it to, and be replaced under the feet of whoever has it open.
+    """
+    name = os.fspath(path)
+    found = _DESCRIPTORS.fullmatch(name)
+    return int(found[1]) if found else _STANDARD.get(name)

@@ -70,6 +70,9 @@ def main() -> None:
     if hasattr(signal, "SIGPIPE"):
         # A reader that has seen enough (`| head`) ends this process, as it does any other tool.
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    if signal.getsignal(signal.SIGTERM) == signal.SIG_DFL:
+        # Asked to end, it takes the part of a file that it has written with it.
+        signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     if sys.stdout is None:
         # Closed by whoever started this: what is written there goes nowhere.
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - stays open

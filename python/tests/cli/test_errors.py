@@ -1,8 +1,10 @@
 """Bad input: one clear line, status 2. What cannot be written: one line, status 1, no file."""
 
 import os
+import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -188,6 +190,43 @@ def test_standard_error_that_is_closed(tmp_path):
     )
     assert (done.returncode, done.stdout) == (0, "wrote out.csv\n")
     assert "must be a number" in (tmp_path / "out.csv").read_text()
+
+
+def test_standard_output_by_its_name_is_the_one_that_is_open(tmp_path):
+    """A log stays the file it is: nothing is put in its place, and nothing in it overwritten."""
+    log = tmp_path / "log"
+    log.write_text("before\n")
+    number = log.stat().st_ino
+    command = f"{sys.executable} -m archerfish {' '.join(SHOT)} --format csv --output /dev/stdout"
+    done = subprocess.run(
+        ["bash", "-c", f"{command} >> log; echo after >> log"],
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path,
+        check=True,
+    )
+    text = log.read_text()
+    assert (done.stderr, log.stat().st_ino) == ("", number)
+    assert text.startswith("before\nlaunch_angle_deg,")
+    assert text.endswith("wrote /dev/stdout\nafter\n")
+    assert [entry.name for entry in tmp_path.iterdir()] == ["log"]
+
+
+def test_a_command_asked_to_end_leaves_no_part_of_a_file(tmp_path):
+    process = subprocess.Popen(
+        [*BATCH.split(), "-", "--output", "out.csv"], stdin=subprocess.PIPE, cwd=tmp_path
+    )
+    process.stdin.write(b"launch_angle_deg\n")
+    process.stdin.flush()
+    for _ in range(600):
+        if any(tmp_path.iterdir()):
+            break
+        time.sleep(0.1)
+    assert [entry.suffix for entry in tmp_path.iterdir()] == [".part"]
+    process.terminate()
+    assert process.wait(60) == 128 + signal.SIGTERM
+    process.stdin.close()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_device_that_is_full_is_named(command):
