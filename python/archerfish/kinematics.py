@@ -85,13 +85,15 @@ def time_of_fall(depth: npt.ArrayLike, drag_rate: npt.ArrayLike) -> FloatArray:
     2.0
     """
     depth, drag_rate = array(depth), array(drag_rate)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         root = np.sqrt(depth)
-    share = np.maximum(root * drag_rate, _LEAST_DRAG)
-    sigma = share * share
-    offset = -np.expm1(-sigma) / np.e
-    # For σ = 1e-40 the offset form is √(2σ), and the time √(2F).
-    return np.asarray(root * ((sigma + _core.lambertw0_offset(offset)) / share))
+        share = np.maximum(root * drag_rate, _LEAST_DRAG)
+        sigma = share * share
+        offset = -np.expm1(-sigma) / np.e
+        # For σ = 1e-40 the offset form is √(2σ), and the time √(2F).
+        unit = (sigma + _core.lambertw0_offset(offset)) / share
+    # A σ that overflows is all of its sum, and terminal speed all of the fall.
+    return np.asarray(root * np.where(np.isinf(sigma), share, unit))
 
 
 def time_of_descent(
@@ -111,6 +113,6 @@ def time_of_descent(
             return np.asarray(depth - (speed * drift(time, drag_rate) + fall(time, drag_rate)))
 
     low = np.full(depth.shape, 5e-324)
-    time = zero_between(missing, low, np.full(depth.shape, 1e150))
+    time = zero_between(missing, low, np.full(depth.shape, 1e300))
     time = np.nextafter(time, np.inf)  # so that a root at a double is that double
     return np.where(depth > 0, time, np.where(depth == 0, 0.0, np.nan))

@@ -227,6 +227,16 @@ def test_minimum_speed_at_the_extremes():
     np.testing.assert_allclose(far, [5e199, 5e9], rtol=1e-7)
 
 
+@pytest.mark.parametrize("epsilon", [1e3, 1e100, 1e170, 1e250, 1e300])
+def test_a_fall_through_the_thickest_medium(epsilon):
+    """A metre down at terminal speed, which is as little as 1e-299 m/s."""
+    launcher = Launcher(10.0, epsilon=epsilon)
+    arcs = launcher.aim(0.5 * launcher.envelope.wall, -1.0)
+    for arc in (arcs.low, arcs.high):
+        assert arc.time == pytest.approx(1.0 / launcher.terminal_speed, rel=1e-14 + 10.0 / epsilon)
+        assert arc.impact_speed == pytest.approx(launcher.terminal_speed, rel=1e-12)
+
+
 def test_clearance():
     arcs = Launcher(10.0, epsilon=0.1).aim([6.0, 7.0], 1.0)
     for arc in (arcs.low, arcs.high):
