@@ -104,6 +104,16 @@ def test_a_flat_shot_has_the_derivatives_of_the_limit():
     np.testing.assert_allclose(gradients.range.angle, 20.0, rtol=1e-8)
 
 
+def test_what_an_element_gives_does_not_depend_on_its_neighbours():
+    drag = 10 ** np.linspace(-3, 4, 61)
+    together = Launcher(10.0, drag_rate=drag).shot(0.7, height=1.0).gradients
+    for index, rate in enumerate(drag):
+        alone = Launcher(10.0, drag_rate=rate).shot(0.7, height=1.0).gradients
+        for output in OUTPUTS:
+            found, expected = getattr(together, output), getattr(alone, output)
+            assert all(getattr(found, name)[index] == getattr(expected, name) for name in INPUTS)
+
+
 def test_spread_against_monte_carlo():
     deviations = {"speed": 0.05, "angle": 0.003, "drag_rate": 0.004, "gravity": 0.01}
     shot = Launcher(CASE["speed"], gravity=CASE["gravity"], drag_rate=CASE["drag_rate"]).shot(
