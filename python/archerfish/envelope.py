@@ -12,7 +12,7 @@ import numpy.typing as npt
 from archerfish import _core
 from archerfish.kinematics import array, drift, fall
 from archerfish.shot import Vector, record
-from archerfish.values import Quantity, Value, frozen, quotient
+from archerfish.values import Quantity, Value, finite, frozen, quotient
 
 if TYPE_CHECKING:
     from archerfish.launcher import Launcher
@@ -95,7 +95,7 @@ class Front(Value):
 
 def front(launcher: Launcher, time: npt.ArrayLike) -> Front:
     """What `Launcher.front` does."""
-    drag = launcher.drag_rate
+    drag = finite("drag rate of the launcher", launcher.drag_rate)
     with np.errstate(invalid="ignore"):
         radius, fallen = launcher.speed * drift(time, drag), launcher.gravity * fall(time, drag)
     return record(Front, x=0.0, y=-fallen, radius=radius)

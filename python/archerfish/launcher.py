@@ -313,5 +313,4 @@ def _drag(name: str, speed: Quantity, gravity: Quantity, **given: Quantity) -> d
         epsilon, rate = quotient(speed, drag), quotient(gravity, drag)
         terminal = drag
     not_negative(f"epsilon, from this {name},", epsilon)
-    not_negative(f"drag rate, from this {name},", rate)
     return {"epsilon": epsilon, "drag_rate": rate, "terminal_speed": terminal}

@@ -130,6 +130,8 @@ class Shot(Value):
     wind: Vector
 
     def __post_init__(self) -> None:
+        # The locus wants ε alone, which may be so great that the drag rate overflows; a shot, both.
+        finite("drag rate of the launcher", self.launcher.drag_rate)
         object.__setattr__(self, "angle", real("angle", self.angle))
         for name in ("azimuth", "height", "ground"):
             object.__setattr__(self, name, finite(name, getattr(self, name)))
