@@ -391,8 +391,10 @@ def target(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
     sine = end / (drag * off * off + np.sqrt(off * off + end))
     longest = 1 / (sine + drag)
     v = drag * longest
-    psi = np.where(v < 1e-4, 0.5 + v / 3, (-np.log(sine * longest) - v) / np.maximum(v, 1e-9) ** 2)
-    top = longest * (sine - longest * psi)
+    # (−ln(1 − v) − v)/v², by its series where the difference would cost digits
+    series = np.polynomial.polynomial.polyval(np.minimum(v, 0.25), 1 / np.arange(2, 28))
+    direct = (-np.log(sine * longest) - v) / np.maximum(v, 0.25) ** 2
+    top = longest * (sine - longest * np.where(v < 0.25, series, direct))
     # not so close that the last digits decide on which side of the envelope they are
     below = log_uniform(2.0**-46, 2.0**2)(rng, count)
     y = np.where(near_top, top - below * np.abs(top), y)
