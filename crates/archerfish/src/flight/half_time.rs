@@ -29,7 +29,7 @@ pub(super) fn start(u: Number) -> Number {
     u * ratio
 }
 
-/// The landing: h is a start and a small step, and so is r.
+/// The landing: w = 2h is a start and a small step, and so is r.
 pub(super) struct Landing {
     start: Number,
     step: Number,
@@ -38,19 +38,19 @@ pub(super) struct Landing {
 }
 
 impl Landing {
-    /// `h`; hi alone is good to 2⁻¹⁴.
+    /// `w`; hi alone is good to 2⁻¹⁴.
     #[inline(always)]
-    pub fn half_time(&self) -> DoubleDouble {
+    pub fn time(&self) -> DoubleDouble {
         DoubleDouble { hi: self.start, lo: self.step }
     }
 
-    /// `r = 1 − e^{−2h}`; hi alone is good to 2⁻¹³.
+    /// `r = 1 − e⁻ʷ`; hi alone is good to 2⁻¹³.
     #[inline(always)]
     pub fn gone(&self) -> DoubleDouble {
-        // beyond e⁻ʷ = 2⁻⁵³ there is nothing to add, and the step may be great
-        let change = select(self.rest.is_above(0.0), 2.0 * self.step, 0.0);
-        let change = change - change * change * (0.5 - change * (1.0 / 6.0));
-        DoubleDouble { hi: self.gone.hi, lo: self.gone.lo + self.rest * change }
+        // times e⁻ʷ from the start: where that is 0, the step may be great
+        let change = self.rest * self.step;
+        let change = change - change * self.step * (0.5 - self.step * (1.0 / 6.0));
+        DoubleDouble { hi: self.gone.hi, lo: self.gone.lo + change }
     }
 }
 
@@ -75,13 +75,13 @@ pub(super) fn landing(q: DoubleDouble, h: Number) -> Landing {
     let bend = exponential.bend;
     let square = w * w;
     let slope_near = square * (0.5 - w * (0.5 - bend * (1.0 + w)));
-    let slope = 2.0 * select(near, slope_near, gone - w * rest);
+    let slope = select(near, slope_near, gone - w * rest);
     let bulge_near = square * w * (0.25 - bend * (1.0 + h));
     let bulge = select(near, bulge_near, w - gone * (1.0 + h));
-    // Newton's step is excess · gone/slope, and of the second derivative over twice the first
-    // remains 4 rest · bulge/(gone · slope)
+    // in w, Newton's step is excess · gone/slope, and of the second derivative over twice the first
+    // remains rest · bulge/(gone · slope)
     let inverse = 1.0 / (gone * slope);
     let newton = excess * (gone * (gone * inverse));
-    let half_bend = 4.0 * rest * (bulge * inverse);
-    Landing { start: h, step: newton - newton * (newton * half_bend), gone: exact, rest }
+    let half_bend = rest * (bulge * inverse);
+    Landing { start: w, step: newton - newton * (newton * half_bend), gone: exact, rest }
 }

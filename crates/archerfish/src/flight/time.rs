@@ -14,7 +14,7 @@ pub(super) struct LevelShot {
     pub cos: DoubleDouble,
     /// `u = ε sin α`
     pub u: Number,
-    /// with h = εT/2; nothing where the shot is free
+    /// with w = εT; nothing where the shot is free
     pub landing: Landing,
 }
 
@@ -50,8 +50,9 @@ impl LevelShot {
 #[inline(always)]
 pub fn flight_time(alpha: Number, eps: Number) -> Number {
     let shot = LevelShot::at(alpha, eps);
-    let half = shot.landing.half_time().div_double(eps);
-    // T/2 = sin α (1 − u/3 + …)
-    let half = DoubleDouble::select(shot.is_free(), shot.shortened(1.0 / 3.0), half);
-    select(is_rising(alpha) & is_drag(eps), 2.0 * half.round(), f64::NAN)
+    let slowed = shot.landing.time().div_double(eps);
+    // 2 sin α (1 − u/3 + …)
+    let free = shot.shortened(1.0 / 3.0).scale(2.0);
+    let time = DoubleDouble::select(shot.is_free(), free, slowed).round();
+    select(is_rising(alpha) & is_drag(eps), time, f64::NAN)
 }
