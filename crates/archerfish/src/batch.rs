@@ -38,19 +38,19 @@ macro_rules! table {
 }
 
 table! { UNARY: UnaryBatch => (out);
-    lambertw0(z) = lambert::lambertw0 in in_twins;
-    lambertwm1(z) = lambert::lambertwm1 in in_twins;
-    lambertw0_offset(d) = lambert::lambertw0_offset in in_twins;
+    lambertw0(z) = lambert::lambertw0 in twins;
+    lambertwm1(z) = lambert::lambertwm1 in twins;
+    lambertw0_offset(d) = lambert::lambertw0_offset in twins;
     lambertwm1_offset(d) = lambert::lambertwm1_offset;
-    tree(z) = lambert::tree in in_twins;
-    log1pmx(x) = real::log1pmx in in_twins;
+    tree(z) = lambert::tree in twins;
+    log1pmx(x) = real::log1pmx in twins;
     optimal_angle(eps) = flight::optimal_angle;
 }
 
 table! { BINARY: BinaryBatch => (out);
-    apex_x(alpha, eps) = motion::apex_x in in_twins;
+    apex_x(alpha, eps) = motion::apex_x in twins;
     apex_y(alpha, eps) = motion::apex_y;
-    apex_time(alpha, eps) = motion::apex_time in in_twins;
+    apex_time(alpha, eps) = motion::apex_time in twins;
     apex_distance(alpha, eps) = motion::apex_distance;
     apex_elevation(alpha, eps) = motion::apex_elevation;
     apex_curvature(alpha, eps) = motion::apex_curvature;
@@ -68,8 +68,8 @@ table! { TERNARY: TernaryBatch => (out);
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
-    aim_low(x, y, eps) = flight::aim_low in in_twins;
-    aim_high(x, y, eps) = flight::aim_high in in_twins;
+    aim_low(x, y, eps) = flight::aim_low in twins;
+    aim_high(x, y, eps) = flight::aim_high in twins;
 }
 
 // A page draws them side by side, and what they share is most of the work.

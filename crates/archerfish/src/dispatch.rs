@@ -74,7 +74,7 @@ pub(crate) use each;
 /// Defines `twins`, a loop over blocks, for a kernel that is to go so.
 macro_rules! twins {
     (, $module:ident::$kernel:ident, $($x:ident),+) => {};
-    (in_twins, $module:ident::$kernel:ident, $($x:ident),+) => {
+    (twins, $module:ident::$kernel:ident, $($x:ident),+) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
         #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
@@ -101,12 +101,12 @@ pub(crate) use twins;
 /// Fills whole blocks by `twins`, if there are some, and leaves the rest of the slices.
 macro_rules! blocks {
     (, $($x:ident),+ => $out:ident) => {};
-    (in_twins, $($x:ident),+ => $out:ident) => {
+    (twins, $($x:ident),+ => $out:ident) => {
         let n = $out.len();
         let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $crate::twins::BLOCK };
-        $(let (blocks, $x) = ($x[..whole].as_chunks().0, &$x[whole..]); let $x = (blocks, $x);)+
+        $(let $x = $x.split_at(whole);)+
         let (blocks, $out) = $out.split_at_mut(whole);
-        twins($($x.0,)+ blocks.as_chunks_mut().0);
+        twins($($x.0.as_chunks().0,)+ blocks.as_chunks_mut().0);
         $(let $x = $x.1;)+
     };
 }
@@ -114,7 +114,7 @@ pub(crate) use blocks;
 
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out) $($in_twins:ident)?) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out) $($twins:ident)?) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
             $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
@@ -131,7 +131,7 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!($($in_twins)?, $module::$kernel, $($x),+);
+            $crate::dispatch::twins!($($twins)?, $module::$kernel, $($x),+);
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.
@@ -140,7 +140,7 @@ macro_rules! batch {
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
                 $crate::dispatch::Isa::Avx512 => unsafe {
-                    $crate::dispatch::blocks!($($in_twins)?, $($x),+ => out);
+                    $crate::dispatch::blocks!($($twins)?, $($x),+ => out);
                     avx512($($x,)+ out)
                 },
             }

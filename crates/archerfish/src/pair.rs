@@ -79,32 +79,25 @@ impl Pair {
     }
 }
 
+/// A comparison.
+macro_rules! compare {
+    ($($method:ident = $instruction:ident;)+) => {$(
+        #[inline(always)]
+        fn $method(self, other: impl Into<Self>) -> PairMask {
+            PairMask($instruction(self.0, other.into().0))
+        }
+    )+};
+}
+
 impl Order for Pair {
     type Mask = PairMask;
 
-    #[inline(always)]
-    fn is_below(self, bound: impl Into<Self>) -> PairMask {
-        PairMask(f64x2_lt(self.0, bound.into().0))
-    }
-
-    #[inline(always)]
-    fn is_above(self, bound: impl Into<Self>) -> PairMask {
-        PairMask(f64x2_gt(self.0, bound.into().0))
-    }
-
-    #[inline(always)]
-    fn is_at_most(self, bound: impl Into<Self>) -> PairMask {
-        PairMask(f64x2_le(self.0, bound.into().0))
-    }
-
-    #[inline(always)]
-    fn is_at_least(self, bound: impl Into<Self>) -> PairMask {
-        PairMask(f64x2_ge(self.0, bound.into().0))
-    }
-
-    #[inline(always)]
-    fn equals(self, other: impl Into<Self>) -> PairMask {
-        PairMask(f64x2_eq(self.0, other.into().0))
+    compare! {
+        is_below = f64x2_lt;
+        is_above = f64x2_gt;
+        is_at_most = f64x2_le;
+        is_at_least = f64x2_ge;
+        equals = f64x2_eq;
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
 use super::domain::{is_drag, is_rising};
-use super::half_time::{Landing, landing, start};
+use super::landing::{Landing, landing, start};
 
 /// Below this, 2⁻⁴⁰, the first term in u = ε sin α says all that drag does.
 const FREE: f64 = f64::from_bits((1023 - 40) << 52);

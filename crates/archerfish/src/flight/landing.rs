@@ -1,4 +1,4 @@
-//! The time of flight over level ground.
+//! The landing on level ground.
 //!
 //! The shot lands at εT = 2h where `h + (h coth h − 1) = u`, u = ε sin α: the symmetric form of
 //! `(1 − e^{−τ})/τ = 1/(1 + u)`.
