@@ -27,10 +27,10 @@ pub use crate::pairs::{Kernel, evaluate};
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
-    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident $(in $twins:ident)?;)+) => {
+    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
         $(batch! {
             #[doc = concat!("[`", stringify!($module), "::", stringify!($kernel), "`](crate::", stringify!($module), "::", stringify!($kernel), ") over slices.")]
-            $name, $module::$kernel, $($x),+ => $out $($twins)?
+            $name, $module::$kernel, $($x),+ => $out
         })+
         /// Every function of this shape, by its public name.
         pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];
@@ -38,19 +38,19 @@ macro_rules! table {
 }
 
 table! { UNARY: UnaryBatch => (out);
-    lambertw0(z) = lambert::lambertw0 in twins;
-    lambertwm1(z) = lambert::lambertwm1 in twins;
-    lambertw0_offset(d) = lambert::lambertw0_offset in twins;
+    lambertw0(z) = lambert::lambertw0;
+    lambertwm1(z) = lambert::lambertwm1;
+    lambertw0_offset(d) = lambert::lambertw0_offset;
     lambertwm1_offset(d) = lambert::lambertwm1_offset;
-    tree(z) = lambert::tree in twins;
-    log1pmx(x) = real::log1pmx in twins;
+    tree(z) = lambert::tree;
+    log1pmx(x) = real::log1pmx;
     optimal_angle(eps) = flight::optimal_angle;
 }
 
 table! { BINARY: BinaryBatch => (out);
-    apex_x(alpha, eps) = motion::apex_x in twins;
+    apex_x(alpha, eps) = motion::apex_x;
     apex_y(alpha, eps) = motion::apex_y;
-    apex_time(alpha, eps) = motion::apex_time in twins;
+    apex_time(alpha, eps) = motion::apex_time;
     apex_distance(alpha, eps) = motion::apex_distance;
     apex_elevation(alpha, eps) = motion::apex_elevation;
     apex_curvature(alpha, eps) = motion::apex_curvature;
@@ -68,8 +68,8 @@ table! { TERNARY: TernaryBatch => (out);
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
-    aim_low(x, y, eps) = flight::aim_low in twins;
-    aim_high(x, y, eps) = flight::aim_high in twins;
+    aim_low(x, y, eps) = flight::aim_low;
+    aim_high(x, y, eps) = flight::aim_high;
 }
 
 // A page draws them side by side, and what they share is most of the work.

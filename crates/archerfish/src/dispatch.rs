@@ -71,10 +71,9 @@ macro_rules! each {
 }
 pub(crate) use each;
 
-/// Defines `twins`, a loop over blocks, for a kernel that is to go so.
+/// Defines `twins`, a loop over blocks.
 macro_rules! twins {
-    (, $module:ident::$kernel:ident, $($x:ident),+) => {};
-    (twins, $module:ident::$kernel:ident, $($x:ident),+) => {
+    ($module:ident::$kernel:ident, $($x:ident),+) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
         #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
@@ -100,8 +99,7 @@ pub(crate) use twins;
 
 /// Fills whole blocks by `twins`, if there are some, and leaves the rest of the slices.
 macro_rules! blocks {
-    (, $($x:ident),+ => $out:ident) => {};
-    (twins, $($x:ident),+ => $out:ident) => {
+    ($($x:ident),+ => $out:ident) => {
         let n = $out.len();
         let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $crate::twins::BLOCK };
         $(let $x = $x.split_at(whole);)+
@@ -114,7 +112,7 @@ pub(crate) use blocks;
 
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out) $($twins:ident)?) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out)) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
             $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
@@ -131,7 +129,7 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!($($twins)?, $module::$kernel, $($x),+);
+            $crate::dispatch::twins!($module::$kernel, $($x),+);
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.
@@ -140,7 +138,7 @@ macro_rules! batch {
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
                 $crate::dispatch::Isa::Avx512 => unsafe {
-                    $crate::dispatch::blocks!($($twins)?, $($x),+ => out);
+                    $crate::dispatch::blocks!($($x),+ => out);
                     avx512($($x,)+ out)
                 },
             }

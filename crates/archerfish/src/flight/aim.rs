@@ -9,7 +9,9 @@
 //! derivatives of H, lead on; the second has its residual in sums of two doubles. The angle is that
 //! of (X, Y + γβ).
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_product, two_square};
+use super::super::real::double_double::{
+    DoubleDouble, fast_two_difference, fast_two_sum, two_product, two_square,
+};
 use super::super::real::{
     Exponential, Mask, Number, Order, angle_all_round, nearest_integer, polynomial,
     power_and_inverse, power_of_two,
@@ -168,15 +170,15 @@ impl Target {
         let significand = exponential.loose_significand();
         let (high, low) =
             (power * significand.hi, power * (significand.lo - w.lo * significand.hi));
-        let gone = fast_two_sum(1.0, -high); // short of `low`
-        let far = fast_two_sum(w.hi, -gone.hi);
+        let gone = fast_two_difference(1.0, high); // short of `low`
+        let far = fast_two_difference(w.hi, gone.hi);
         let far = fast_two_sum(far.hi, far.lo + (w.lo - (gone.lo - low)));
         let far = far.times(self.end_square);
         let near = fast_two_sum(0.5, exponential.r * exponential.bend);
         let near = near.times(two_square(t));
         let fall = DoubleDouble::select(exponential.n.equals(0.0), near, far);
         let slowed = two_product(lambda, fall.hi);
-        let way = fast_two_sum(t, -slowed.hi);
+        let way = fast_two_difference(t, slowed.hi);
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
         // where γ is tiny, so may the rise be
@@ -186,7 +188,7 @@ impl Target {
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
         let (way_square, up_square, x_square) = (way.squared(), up.squared(), two_square(self.x));
-        let ahead = fast_two_sum(way_square.hi, -x_square.hi);
+        let ahead = fast_two_difference(way_square.hi, x_square.hi);
         let excess =
             (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
         // at the envelope e⁻ʷ is as small as γ, and products of four such would be 0

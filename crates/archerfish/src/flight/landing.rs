@@ -11,7 +11,7 @@
 //! - `r − w e⁻ʷ = w² (1/2 − w (1/2 − B (1 + w)))`,
 //! - `w − r (1 + h) = w³ (1/4 − B (1 + h))`.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum};
+use super::super::real::double_double::{DoubleDouble, fast_two_difference};
 use super::super::real::{Exponential, Number, Order, polynomial, power_of_two, select};
 
 // half_time_start: 0.96 of the error that can be borne: reference/coefficients.py half_time_start
@@ -62,7 +62,7 @@ pub(super) fn landing(q: DoubleDouble, h: Number) -> Landing {
     let exponential = Exponential::of(-select(w.is_above(80.0), 80.0, w));
     let power = power_of_two(exponential.n);
     let change = exponential.loose_excess().scale(power);
-    let gone = fast_two_sum(1.0 - power, -change.hi);
+    let gone = fast_two_difference(1.0 - power, change.hi);
     let gone = DoubleDouble { hi: gone.hi, lo: gone.lo - change.lo };
     let product = q.times(gone);
     // exact: they are nearly equal

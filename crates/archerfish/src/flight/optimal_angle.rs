@@ -39,7 +39,7 @@ fn strong(epsilon: Number) -> Number {
     let mut w = right.hi - ln(right.hi);
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);
-    let residual = right.add_double(-w).sub(logarithm(w)).round();
+    let residual = right.sub_double(w).sub(logarithm(w)).round();
     // divided by less: products next to the largest double lose their errors
     const LESS: f64 = f64::from_bits((1023 - 100) << 52);
     let sum = DoubleDouble::from(w).add_double(residual * w / (1.0 + w));

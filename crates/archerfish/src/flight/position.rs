@@ -34,7 +34,7 @@ pub fn flight_y(t: Number, alpha: Number, eps: Number) -> Number {
     let Relaxation { speed, fall, .. } = Relaxation::at(clamped(w));
     let on_the_way = sin.times(speed).sub(fall.times_double(t)).round() * t;
     let limit = DoubleDouble::from(1.0).div(DoubleDouble::from(eps));
-    let falling = sin.add_double(-t).add(limit).round() / eps;
+    let falling = sin.sub_double(t).add(limit).round() / eps;
     let y = select(w.hi.is_above(RELAXED), falling, on_the_way);
     select(is_later(t) & is_direction(alpha) & is_drag(eps), y, f64::NAN)
 }

@@ -1,6 +1,6 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::super::real::double_double::{fast_two_sum, two_sum};
+use super::super::real::double_double::{fast_two_difference, fast_two_sum, two_sum};
 use super::super::real::{Logarithm, Number, Order, atan_bend, select};
 use super::launch::{LIFT, Launch, within_domain};
 
@@ -14,7 +14,7 @@ impl Launch {
     /// `y = sin²α φ(u)`, φ(u) being (1 − a)/(2 + u)
     #[inline(always)]
     fn y(&self, a: Number) -> Number {
-        let rest = fast_two_sum(1.0, -a);
+        let rest = fast_two_difference(1.0, a);
         let lifted = self.lifted().squared().times(rest).quotient(self.q_plus_one());
         lifted * (1.0 / LIFT / LIFT)
     }
@@ -26,7 +26,7 @@ impl Launch {
         let slowed = self.lifted().times(Logarithm::of(self.q()).value());
         let divisor = fast_two_sum(self.u.hi, self.u.lo);
         // 1 + u has forgotten the end of a u this small, and 0/0 is at u = 0
-        let first_order = self.lifted().times(fast_two_sum(1.0, -0.5 * u));
+        let first_order = self.lifted().times(fast_two_difference(1.0, 0.5 * u));
         select(u.is_below(1e-15), first_order.round(), slowed.quotient(divisor)) * (1.0 / LIFT)
     }
 
@@ -47,7 +47,7 @@ impl Launch {
         let divisor = self.q_plus_one().sub_smaller(fall);
         let lifted = rise.scale(LIFT).times(self.cos).div(divisor);
         let tau = lifted.scale(1.0 / LIFT);
-        let sum = fast_two_sum(alpha, -tau.hi);
+        let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo * (1.0 - tau.hi * tau.hi) + atan_bend(tau.hi)))
     }
 }

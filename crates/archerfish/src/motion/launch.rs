@@ -1,6 +1,6 @@
 //! One launch: the direction, and the drag it meets.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum};
+use super::super::real::double_double::{DoubleDouble, fast_two_difference};
 use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
 use super::drag::Drag;
 
@@ -55,7 +55,7 @@ impl Launch {
     /// `G(u) = (1 + u)(1 − a)/(2 + u)`
     #[inline(always)]
     pub fn gain(&self, a: Number) -> DoubleDouble {
-        self.q().times(fast_two_sum(1.0, -a)).div(self.q_plus_one())
+        self.q().times(fast_two_difference(1.0, a)).div(self.q_plus_one())
     }
 }
 

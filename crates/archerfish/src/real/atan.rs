@@ -78,7 +78,11 @@ fn turn(y: DoubleDouble, x: DoubleDouble, left: Mask, down: Integer) -> Number {
     let less = DoubleDouble::select(steep, x, y);
     let more = DoubleDouble::select(steep, y, x);
     let diagonal = less.hi.is_above(TAN_EIGHTH_PI * more.hi);
-    let numerator = DoubleDouble::select(diagonal, more.neg().add_smaller(less), less);
+    // less − more, exactly: what is left out of it is not of the sign of either
+    let short = less.hi - more.hi;
+    let short_lo = (less.hi - (short + more.hi)) + (less.lo - more.lo);
+    let short = DoubleDouble { hi: short, lo: short_lo };
+    let numerator = DoubleDouble::select(diagonal, short, less);
     let denominator = DoubleDouble::select(diagonal, more.add_smaller(less), more);
     let t = numerator.div(denominator);
     let z = t.hi * t.hi;

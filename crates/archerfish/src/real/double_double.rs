@@ -67,6 +67,24 @@ pub(crate) fn fast_two_sum(a: operand!(), b: operand!()) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
+/// `a - b` exactly, for any two numbers: `two_sum` without changing a sign, which is an instruction.
+#[inline(always)]
+pub(crate) fn two_difference(a: operand!(), b: operand!()) -> DoubleDouble {
+    let (a, b): (Number, Number) = (a.into(), b.into());
+    let hi = a - b;
+    let b_part = hi - a;
+    let lo = (a - (hi - b_part)) - (b + b_part);
+    DoubleDouble { hi, lo }
+}
+
+/// `a - b` exactly, where `a` is zero or its exponent is at least that of `b`.
+#[inline(always)]
+pub(crate) fn fast_two_difference(a: operand!(), b: operand!()) -> DoubleDouble {
+    let (a, b): (Number, Number) = (a.into(), b.into());
+    let hi = a - b;
+    DoubleDouble { hi, lo: (a - hi) - b }
+}
+
 /// `a + b` exactly, where neither is negative.
 #[inline(always)]
 pub(crate) fn two_sum_positive(a: operand!(), b: operand!()) -> DoubleDouble {
@@ -121,7 +139,8 @@ impl DoubleDouble {
     /// `self - b`, to 2⁻¹⁰⁴ of the greater of the two.
     #[inline(always)]
     pub fn sub(self, b: Self) -> Self {
-        self.add(b.neg())
+        let difference = two_difference(self.hi, b.hi);
+        fast_two_sum(difference.hi, difference.lo + (self.lo - b.lo))
     }
 
     /// `self + b` where `b` is one double.
@@ -129,6 +148,13 @@ impl DoubleDouble {
     pub fn add_double(self, b: operand!()) -> Self {
         let sum = two_sum(self.hi, b);
         fast_two_sum(sum.hi, sum.lo + self.lo)
+    }
+
+    /// `self - b` where `b` is one double.
+    #[inline(always)]
+    pub fn sub_double(self, b: operand!()) -> Self {
+        let difference = two_difference(self.hi, b);
+        fast_two_sum(difference.hi, difference.lo + self.lo)
     }
 
     /// `self + b`, left as it falls: where much cancels, lo may be as large as hi.
@@ -141,7 +167,8 @@ impl DoubleDouble {
     /// `self - b`, as `plus`.
     #[inline(always)]
     pub fn minus(self, b: Self) -> Self {
-        self.plus(b.neg())
+        let difference = two_difference(self.hi, b.hi);
+        DoubleDouble { hi: difference.hi, lo: difference.lo + (self.lo - b.lo) }
     }
 
     /// `plus` where self is zero or its exponent is at least that of b.
@@ -154,7 +181,8 @@ impl DoubleDouble {
     /// `self - b`, as `add_smaller`.
     #[inline(always)]
     pub fn sub_smaller(self, b: Self) -> Self {
-        self.add_smaller(b.neg())
+        let difference = fast_two_difference(self.hi, b.hi);
+        DoubleDouble { hi: difference.hi, lo: difference.lo + (self.lo - b.lo) }
     }
 
     /// `self + b` where neither is negative; left as it falls, the words nearly apart.

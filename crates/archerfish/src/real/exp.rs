@@ -3,7 +3,7 @@
 //! Method: `x = n ln 2 + r` with |r| ≤ ln 2 / 2, `eˣ = 2ⁿ (1 + m)` with
 //! `m = eʳ − 1 = r + r²/2 + r³ p(r)`, the first two terms as exact sums.
 
-use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
+use super::double_double::{DoubleDouble, fast_two_difference, fast_two_sum, two_square, two_sum};
 use super::{LN2_HI, LN2_LO, Number, Order, nearest_integer, polynomial, power_of_two, select};
 
 // exp_tail: minimax on [-0.346608, 0.346608], degree 9,
@@ -37,7 +37,7 @@ impl Exponential {
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn of(x: Number) -> Self {
         let n = nearest_integer(x * core::f64::consts::LOG2_E);
-        let r = fast_two_sum(x - n * LN2_HI, -(n * LN2_LO));
+        let r = fast_two_difference(x - n * LN2_HI, n * LN2_LO);
         let square = two_square(r.hi);
         let bend = polynomial(r.hi, &EXP_TAIL);
         let tail = r.hi * square.hi * bend;

@@ -5,7 +5,7 @@
 //! f is x and the bracket exactly zero; elsewhere |x| ≥ 1/4 and nothing cancels but a few bits,
 //! which the exact errors of three sums keep.
 
-use super::double_double::{DoubleDouble, fast_two_sum, two_product};
+use super::double_double::{DoubleDouble, fast_two_difference, fast_two_sum, two_product};
 use super::{Integer, LN2_HI, LN2_LO, Number, Order, exponent_field, polynomial, select};
 
 // log1pmx_tail: minimax on [0.0, 0.0401], degree 7,
@@ -50,7 +50,7 @@ pub fn log1pmx(x: Number) -> Number {
     let z = s.hi * s.hi;
     let tail = (2.0 * s.hi) * z * polynomial(z, &LOG1PMX_TAIL);
 
-    let sum = fast_two_sum(bracket.hi, -product.hi);
+    let sum = fast_two_difference(bracket.hi, product.hi);
     // s.lo with the derivative of −s f + 2s³ρ
     let small = (tail - (product.lo + s.lo * (f - 2.0 * z))) + rest;
     let regular = sum.hi + (sum.lo + small);

@@ -3,7 +3,9 @@
 //! Method: `x = k π/2 + r`, |r| ≤ π/4, with π/2 in three parts of which the first two multiply k
 //! exactly; `sin r = r + r³ S(r²)`, `cos r = 1 − r²/2 + r⁴ C(r²)`.
 
-use super::double_double::{DoubleDouble, fast_two_sum, two_square, two_sum};
+use super::double_double::{
+    DoubleDouble, fast_two_difference, fast_two_sum, two_difference, two_square,
+};
 use super::{Bits, MAGIC, Mask, Number, Order, polynomial, select};
 
 // sin_tail: minimax on [0.0, 0.616912], degree 5,
@@ -47,7 +49,7 @@ fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let sixth = SIN_TAIL[0];
     let small = cube * (z * polynomial(z, &SIN_REST)) + r.hi * (sixth * z_low);
     let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
-    let cos = fast_two_sum(1.0, -0.5 * z);
+    let cos = fast_two_difference(1.0, 0.5 * z);
     let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * z_low + r.hi * r.lo);
     (sin, fast_two_sum(cos.hi, cos.lo + cos_tail))
 }
@@ -59,7 +61,7 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     let shifted = x * core::f64::consts::FRAC_2_PI + MAGIC;
     let k = shifted - MAGIC;
     let quadrant = shifted.to_bits();
-    let r = two_sum(x - k * HALF_PI[0], -(k * HALF_PI[1]));
+    let r = two_difference(x - k * HALF_PI[0], k * HALF_PI[1]);
     let r = DoubleDouble { hi: r.hi, lo: r.lo - k * HALF_PI[2] };
     let (sin, cos) = sin_cos_reduced(r);
     let odd = quadrant.has(1);
