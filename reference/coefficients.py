@@ -125,11 +125,11 @@ def fall_tail(w):
     )(w)
 
 
-def aim_exp(r):
-    """(e^r − 1 − r) / r²."""
-    return taylor_near_zero(lambda t: (mp.expm1(t) - t) / t**2, lambda k: 1 / mp.factorial(k + 2))(
-        r
-    )
+def aim_exp_tail(r):
+    """(e^r − 1 − r − r²/2) / r³."""
+    return taylor_near_zero(
+        lambda t: (mp.expm1(t) - t - t**2 / 2) / t**3, lambda k: 1 / mp.factorial(k + 3)
+    )(r)
 
 
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
@@ -145,7 +145,7 @@ FITS = {
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
-    "aim_exp": Fit(aim_exp, -HALF_LN2, HALF_LN2, 6, lambda r: r * r),
+    "aim_exp_tail": Fit(aim_exp_tail, -HALF_LN2, HALF_LN2, 5, lambda r: abs(r) ** 3),
     "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 3, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),

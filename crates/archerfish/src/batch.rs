@@ -27,10 +27,10 @@ pub use crate::pairs::{Kernel, evaluate};
 
 /// Defines the slice functions and the table of them that bindings register.
 macro_rules! table {
-    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident;)+) => {
+    ($table:ident: $type:ty => $out:tt; $($name:ident($($x:ident),+) = $module:ident::$kernel:ident $(or $ordinary:ident)?;)+) => {
         $(batch! {
             #[doc = concat!("[`", stringify!($module), "::", stringify!($kernel), "`](crate::", stringify!($module), "::", stringify!($kernel), ") over slices.")]
-            $name, $module::$kernel, $($x),+ => $out
+            $name, $module::$kernel $(or $ordinary)?, $($x),+ => $out
         })+
         /// Every function of this shape, by its public name.
         pub const $table: &[(&str, $type)] = &[$((stringify!($name), $name as $type)),+];
@@ -68,8 +68,8 @@ table! { TERNARY: TernaryBatch => (out);
     flight_x(t, alpha, eps) = flight::flight_x;
     flight_y(t, alpha, eps) = flight::flight_y;
     trajectory_height(x, alpha, eps) = flight::trajectory_height;
-    aim_low(x, y, eps) = flight::aim_low;
-    aim_high(x, y, eps) = flight::aim_high;
+    aim_low(x, y, eps) = flight::aim_low or aim_low_ordinary;
+    aim_high(x, y, eps) = flight::aim_high or aim_high_ordinary;
 }
 
 // A page draws them side by side, and what they share is most of the work.

@@ -71,13 +71,27 @@ macro_rules! each {
 }
 pub(crate) use each;
 
-/// Defines `twins`, a loop over blocks.
+/// Defines `twins`, a loop over blocks. With an ordinary kernel that one goes first, and blocks where it
+/// declines an element go through the whole one.
 macro_rules! twins {
+    ($module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
+        $crate::dispatch::twins!(@ whole = $module::$kernel, $($x),+);
+        $crate::dispatch::twins!(@ twins = $module::$ordinary, $($x),+ => |k, out| {
+            // (a loop to the end: `any` leaves it early, and is not vectorised)
+            let declined = out[k].iter().fold(false, |declined, y| declined | (*y == f64::INFINITY));
+            if declined {
+                whole($(&$x[k..=k],)+ &mut out[k..=k]);
+            }
+        });
+    };
     ($module:ident::$kernel:ident, $($x:ident),+) => {
+        $crate::dispatch::twins!(@ twins = $module::$kernel, $($x),+);
+    };
+    (@ $name:ident = $module:ident::$kernel:ident, $($x:ident),+ $(=> |$k:ident, $done:ident| $then:block)?) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
         #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-        fn twins(
+        fn $name(
             $($x: &[[f64; $crate::twins::BLOCK]],)+
             out: &mut [[f64; $crate::twins::BLOCK]],
         ) {
@@ -91,6 +105,11 @@ macro_rules! twins {
                     );
                     [out[k][i], out[k][HALF + i]] = values.0;
                 }
+                $({
+                    let $k = k;
+                    let $done = &mut *out;
+                    $then
+                })?
             }
         }
     };
@@ -112,7 +131,7 @@ pub(crate) use blocks;
 
 /// Defines a slice function whose loop body is compiled once per instruction set.
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $($x:ident),+ => (out)) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident $(or $ordinary:ident)?, $($x:ident),+ => (out)) => {
         $(#[$doc])*
         pub fn $name($($x: &[f64],)+ out: &mut [f64]) {
             $crate::dispatch::each!(body, $crate::$module::$kernel, $($x),+);
@@ -129,7 +148,7 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!($module::$kernel, $($x),+);
+            $crate::dispatch::twins!($module::$kernel $(or $ordinary)?, $($x),+);
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.

@@ -66,13 +66,13 @@ pub(crate) use for_each;
 
 /// Defines a [`Kernel`].
 macro_rules! batch {
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident $(or $ordinary:ident)?, $x:ident => $out:tt) => {
         $crate::pairs::batch! { @ $name(x, _y, _z) = $module::$kernel(x) => $out }
     };
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident $(or $ordinary:ident)?, $x:ident, $y:ident => $out:tt) => {
         $crate::pairs::batch! { @ $name(x, y, _z) = $module::$kernel(x, y) => $out }
     };
-    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident, $x:ident, $y:ident, $z:ident => $out:tt) => {
+    ($(#[$doc:meta])* $name:ident, $module:ident::$kernel:ident $(or $ordinary:ident)?, $x:ident, $y:ident, $z:ident => $out:tt) => {
         $crate::pairs::batch! { @ $name(x, y, z) = $module::$kernel(x, y, z) => $out }
     };
     (@ $name:ident($x:ident, $y:ident, $z:ident) = $module:ident::$kernel:ident($first:ident $(, $argument:ident)*) => ($($out:ident),+)) => {

@@ -1,9 +1,9 @@
 //! All functions once more, from the same files, over two elements at a time, for processors with 32
 //! registers of eight numbers.
 //!
-//! The compiler takes two vectors of elements at a time in each loop (`.cargo/config.toml`). Where one
-//! result after the other is waited for, and few numbers are kept meanwhile, four are faster; in other
-//! kernels the registers would not do. With two elements in one step, two vectors are four.
+//! The compiler takes two vectors of elements at a time in each loop (`.cargo/config.toml`). One result
+//! after the other is waited for, and four are faster. With two elements in one step, two vectors are
+//! four.
 
 // what no batch needs, and files of two modules, on purpose
 #![allow(dead_code, unused_imports, clippy::duplicate_mod)]

@@ -36,3 +36,18 @@ def test_the_ends_of_the_domain_are_ordinary(alpha, eps):
     for t in (0.0, 5e-324, 1.0, 1e150):
         assert math.isfinite(archerfish.flight_x(t, alpha, eps))
         assert math.isfinite(archerfish.flight_y(t, alpha, eps))
+
+
+@pytest.mark.parametrize("name", ["aim_low", "aim_high"])
+@pytest.mark.parametrize("time", [1e8, 1e12, 1e16, 1e25, 1e30])
+@pytest.mark.parametrize("w", [0.0, 0.001, 1.0, 3.0])
+def test_targets_as_deep_as_numbers_go(name, time, w):
+    """The rise of the launch is then a difference of far greater numbers."""
+    rng = np.random.default_rng(2010)
+    alpha = rng.uniform(-1.5, 1.5, 40)
+    way, fallen = time, time**2 / 2
+    if w > 0:
+        way, fallen = -np.expm1(-w) / w * time, (w + np.expm1(-w)) / w**2 * time**2
+    x, y, eps = way * np.cos(alpha), way * np.sin(alpha) - fallen, np.full(40, w / time)
+    exact = oracle.values(name, x, y, eps)
+    assert compare.ulp_errors(getattr(archerfish, name)(x, y, eps), *exact).max() <= 2

@@ -21,17 +21,25 @@ use super::aim_start::{Contact, start};
 use super::domain::is_drag;
 use super::relaxation::RELAXED;
 
-// aim_exp: minimax on [-0.346608, 0.346608], degree 6,
-// weighted error 1.16e-12: reference/coefficients.py aim_exp
-const AIM_EXP: [f64; 7] = [
-    0.49999999999528694,
-    0.1666666678666288,
-    0.04166666705243027,
-    0.008333281263049488,
-    0.0013888796471612822,
-    0.000199092483011676,
-    2.488764062293798e-05,
+// aim_exp_tail: minimax on [-0.346608, 0.346608], degree 5,
+// weighted error 1.18e-12: reference/coefficients.py aim_exp_tail
+const AIM_EXP_TAIL: [f64; 6] = [
+    0.1666666678489727,
+    0.04166666690069884,
+    0.008333281642553455,
+    0.0013888812226054933,
+    0.00019909052156106158,
+    2.4882321646934263e-05,
 ];
+
+/// How much of the kernel. The ordinary part leaves out what only extreme targets need, and those on the
+/// envelope: it gives the same bits, or ∞ where it declines, and then the whole is asked
+/// (`dispatch.rs`).
+#[derive(Clone, Copy)]
+enum Part {
+    Whole,
+    Ordinary,
+}
 
 /// The sign of dH/dβ at the zero.
 pub(super) const LOW: f64 = 1.0;
@@ -44,6 +52,10 @@ const NEARER: f64 = f64::from_bits((1023 - 116) << 52);
 /// Beyond this they would as well; so far down no shot changes its direction by what the last digit
 /// does.
 const DEEP: f64 = 1e70;
+/// Distances between which a target is ordinary, and the greatest ordinary drag: nearer ones are hit after
+/// a fall of r²/2, and nothing is scaled.
+const TINY: f64 = 1e-30;
+const FAR: f64 = 1e15;
 /// What enlarges tiny targets, 2¹⁰⁰⁰ and 2⁷⁰, and directions, 2⁴⁰⁰.
 const MOST: f64 = f64::from_bits((1023 + 1000) << 52);
 const MORE: f64 = f64::from_bits((1023 + 70) << 52);
@@ -74,6 +86,15 @@ fn within(a: Number, bound: f64) -> Number {
     least(greater(a, -bound), bound)
 }
 
+/// What directions are enlarged by.
+#[inline(always)]
+fn scale(part: Part) -> f64 {
+    match part {
+        Part::Whole => LARGE,
+        Part::Ordinary => 1.0,
+    }
+}
+
 /// A target and the drag, in the units of this file.
 pub(super) struct Target {
     pub x: Number,
@@ -94,16 +115,30 @@ pub(super) struct Target {
 
 impl Target {
     #[inline(always)]
-    fn new(x: Number, y: Number, epsilon: Number) -> Self {
-        let (_, (far, near)) = power_and_inverse(least(greater(x.abs() * NEARER, 1.0), GREATEST));
-        let (x, y) = (x * near, y * near * near);
+    fn new(part: Part, x: Number, y: Number, epsilon: Number) -> Self {
+        let (x, y, epsilon) = match part {
+            Part::Whole => {
+                let far = least(greater(x.abs() * NEARER, 1.0), GREATEST);
+                let (_, (far, near)) = power_and_inverse(far);
+                (x * near, y * near * near, epsilon * far)
+            }
+            Part::Ordinary => (x, y, epsilon),
+        };
         // what is less makes no difference; its inverse would
-        let epsilon = greater(epsilon * far, 1e-300);
-        let (_, (mu, gamma)) = power_and_inverse(least(greater(epsilon, 1.0), GREATEST));
+        let epsilon = greater(epsilon, 1e-300);
+        let most = match part {
+            Part::Whole => least(epsilon, GREATEST),
+            Part::Ordinary => epsilon,
+        };
+        let (_, (mu, gamma)) = power_and_inverse(greater(most, 1.0));
         let lambda = epsilon * gamma;
         let end = DoubleDouble::from(1.0).div_double(lambda);
         let share = two_product(lambda, mu * x);
-        let (x, y) = (mu * x, within(mu * y, DEEP));
+        let (x, y) = (mu * x, mu * y);
+        let y = match part {
+            Part::Whole => within(y, DEEP),
+            Part::Ordinary => y,
+        };
         Target {
             x,
             y,
@@ -118,15 +153,22 @@ impl Target {
         }
     }
 
-    /// The time after a step from t towards the zero.
+    /// \|X\| + \|Y\|, as great as the distance or a little greater.
     #[inline(always)]
-    fn step(&self, sense: f64, t: Number) -> Number {
+    fn distance(&self) -> Number {
+        self.x.abs() + self.y.abs()
+    }
+
+    /// The time after a step from t towards the zero, and whether t was not past the greatest H: what is
+    /// past it only the whole can bring back.
+    #[inline(always)]
+    fn step(&self, part: Part, sense: f64, t: Number) -> (Number, Mask) {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = least(lambda * t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
-        let q = polynomial(r, &AIM_EXP);
+        let q = 0.5 + r * polynomial(r, &AIM_EXP_TAIL);
         let near = n.equals(0.0);
         let power = power_of_two(n);
         let rest = power + power * (r + r * r * q);
@@ -144,25 +186,25 @@ impl Target {
         let root = sqrt(greater(model.discriminant(), 0.0));
         // on the other side of the greatest H the zero is the farther one
         let beyond = (sense * model.slope).is_below(0.0);
-        let outer = model.slope.abs() + root;
-        let numerator = sense * select(beyond, outer, -model.excess);
-        let share = numerator / (select(beyond, model.bend, outer) * way); // θ/P
+        let outer = sense * model.slope + root;
+        let (numerator, denominator) = match part {
+            Part::Whole => {
+                let farther = root - sense * model.slope;
+                (select(beyond, farther, -model.excess), select(beyond, model.bend, outer))
+            }
+            Part::Ordinary => (-model.excess, outer),
+        };
+        let share = sense * numerator / (denominator * way); // θ/P
         let series = 0.5
             - share
                 * ((1.0 / 6.0) + (1.0 / 3.0) * rest
                     - share * ((1.0 / 24.0) + rest * ((1.0 / 3.0) + 0.25 * rest)));
-        t + share * way * (1.0 - rest * share * series)
+        (t + share * way * (1.0 - rest * share * series), !beyond)
     }
 
-    /// `Y + γβ` at the zero, t being near, and X, by the same factor; whether they are on the
-    /// envelope, and whether there is a zero.
+    /// The direction to the zero, t being near.
     #[inline(always)]
-    fn direction(
-        &self,
-        sense: f64,
-        t: Number,
-        contact: &Contact,
-    ) -> (DoubleDouble, Number, Mask, Mask) {
+    fn direction(&self, part: Part, sense: f64, t: Number, contact: &Contact) -> Direction {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
         let exponential = Exponential::of(-least(w.hi, ENDED));
@@ -182,25 +224,60 @@ impl Target {
         let way = DoubleDouble { hi: way.hi, lo: way.lo - (slowed.lo + lambda * fall.lo) };
         let rest = high + low;
         // where γ is tiny, so may the rise be
-        let scaled_gamma = gamma * LARGE;
-        let scaled_up = fall.scale(scaled_gamma).add_double(self.y * LARGE);
-        let up = scaled_up.scale(1.0 / LARGE);
+        let scale = scale(part);
+        let scaled_gamma = gamma * scale;
+        let scaled_up = fall.scale(scaled_gamma).add_double(self.y * scale);
+        let up = scaled_up.scale(1.0 / scale);
 
         // P² and X² + (Y + γβ)² are nearly equal: their difference has no error
         let (way_square, up_square, x_square) = (way.squared(), up.squared(), two_square(self.x));
         let ahead = fast_two_difference(way_square.hi, x_square.hi);
         let excess =
             (ahead.hi - up_square.hi) + (ahead.lo + ((way_square.lo - x_square.lo) - up_square.lo));
+        let at = Instant { way: way.hi, rest, slope: rest - gamma * up.hi, excess };
+        let (theta, on, there) = match part {
+            Part::Whole => self.last_step(sense, at, contact),
+            Part::Ordinary => {
+                let (theta, near) = self.short_step(at);
+                (theta, Mask::from(false), near)
+            }
+        };
+        let up = fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma * (way.hi * theta));
+        let up = match part {
+            Part::Whole => {
+                // far out Y + γβ is a small difference: the same is √(P² − X²), downwards on the low arc
+                let longer = rest * way.hi * theta * (2.0 - lambda * theta);
+                let small = ahead.lo + ((way_square.lo - x_square.lo) + longer);
+                let rise = fast_two_sum(ahead.hi, small).sqrt().scale(-sense * LARGE);
+                let far =
+                    self.distance().is_above(FAR) & (gamma * rise.hi.abs()).is_above(rest * LARGE);
+                DoubleDouble::select(far, rise, up)
+            }
+            Part::Ordinary => up,
+        };
+        Direction { up, across: self.x.abs() * scale, on, there }
+    }
+
+    /// θ to the zero next to which H was measured, and whether it is so near.
+    #[inline(always)]
+    fn short_step(&self, at: Instant) -> (Number, Mask) {
+        Model::new(self, at.way, at.rest, at.slope, at.excess, 1.0).nearest_zero()
+    }
+
+    /// The same, or θ to the greatest H and on to the zero; whether the target counts as on the
+    /// envelope, and whether there is a zero.
+    #[inline(always)]
+    fn last_step(&self, sense: f64, at: Instant, contact: &Contact) -> (Number, Mask, Mask) {
         // at the envelope e⁻ʷ is as small as γ, and products of four such would be 0
         let large = select(contact.close, self.mu, 1.0);
-        let slope = large * (rest - gamma * up.hi);
-        let model = Model::new(self, way.hi, rest, slope, large * excess, large);
+        let slope = large * at.slope;
+        let model = Model::new(self, at.way, at.rest, slope, large * at.excess, large);
         // H at its greatest, times `unit`, by what y is off the envelope
         let off = contact.up * (self.y.abs() + contact.up);
         let digits = model.unit * -model.bend * (large * off);
         // so strong is drag that no step along the envelope changes the direction: then H is the same
         let settled = contact.close & self.mu.is_above(STRONG);
-        let discriminant = select(settled, excess, model.discriminant());
+        let discriminant = select(settled, at.excess, model.discriminant());
         let digits = select(settled, off, digits);
         let on = contact.close & discriminant.is_below(digits * (3.0 * f64::EPSILON));
         let there = !contact.close | discriminant.is_above(digits * (-5.0 * f64::EPSILON));
@@ -212,10 +289,33 @@ impl Target {
         let close = contact.close;
         let numerator = select(close, sense * root - model.slope, -sense * model.excess);
         let denominator = select(close, model.bend, sense * model.slope + root);
-        let theta = select(settled, 0.0, numerator / denominator);
-        let scaled_up = fast_two_sum(scaled_up.hi, scaled_up.lo + scaled_gamma * (way.hi * theta));
-        (scaled_up, self.x.abs() * LARGE, on, there)
+        let (theta, near) = model.nearest_zero();
+        let theta = select(near & !close, theta, numerator / denominator);
+        (select(settled, 0.0, theta), on, there)
     }
+}
+
+/// The direction of the launch.
+struct Direction {
+    /// `Y + γβ`, enlarged
+    up: DoubleDouble,
+    /// `X`, as much enlarged
+    across: Number,
+    /// whether the target counts as on the envelope
+    on: Mask,
+    /// whether there is a zero; for the ordinary part, whether it was found
+    there: Mask,
+}
+
+/// What is known of one time on the way.
+struct Instant {
+    way: Number,
+    /// `e⁻ʷ`
+    rest: Number,
+    /// half of dH/dβ
+    slope: Number,
+    /// H
+    excess: Number,
 }
 
 /// `unit H = excess + 2 slope θ + bend θ²`, over a linear function of θ, β having changed by Pθ.
@@ -251,39 +351,85 @@ impl Model {
         }
     }
 
+    /// θ of the nearer zero, and whether that is so near that four terms of the root are enough.
+    #[inline(always)]
+    fn nearest_zero(&self) -> (Number, Mask) {
+        let inverse = 1.0 / self.slope;
+        let newton = self.excess * inverse;
+        let q = newton * (self.bend * inverse);
+        let theta = -newton * polynomial(q, &[0.5, 0.125, 0.0625, 0.0390625]);
+        (theta, q.abs().is_below(0.00048828125))
+    }
+
     #[inline(always)]
     pub fn discriminant(&self) -> Number {
         self.slope * self.slope - self.bend * self.excess
     }
 }
 
-/// The launch angle of one arc to the target.
+/// The launch angle of one arc to the target; of the ordinary part ∞ where that declines.
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn aim(sense: f64, x: Number, y: Number, epsilon: Number) -> Number {
-    let target = Target::new(x, y, epsilon);
+fn aim(part: Part, sense: f64, x: Number, y: Number, epsilon: Number) -> Number {
+    let target = Target::new(part, x, y, epsilon);
     let contact = Contact::of(&target);
-    let start = start(&target, &contact, sense);
-    let t = select(contact.close, contact.t, target.step(sense, start.t));
-    let (up, across, on, there) = target.direction(sense, t, &contact);
+    let start = start(sense, &target, &contact);
+    let (stepped, inward) = target.step(part, sense, start.t);
+    let t = match part {
+        Part::Whole => select(contact.close, contact.t, stepped),
+        Part::Ordinary => stepped,
+    };
+    let Direction { up, across, on, there } = target.direction(part, sense, t, &contact);
 
     // at the end of all motion the way is 1/λ
     let ended = start.end.is_above(RELAXED) & !on;
-    let level = two_product(start.level, target.end * LARGE);
+    let level = two_product(start.level, target.end * scale(part));
     let up = DoubleDouble::select(ended, level, up);
-    // a target so near is hit after the way r, and a fall of r²/2; there the squares underflow
-    let near = Mask::from(sense == LOW) & (target.x.abs() + target.y.abs()).is_below(1e-30);
+    let (up, across) = match part {
+        Part::Whole => {
+            let near = Mask::from(sense == LOW) & target.distance().is_below(TINY);
+            next_to_launch(near, x, y, up, across)
+        }
+        Part::Ordinary => (up, across),
+    };
+
+    let turn = angle_all_round(up, across, x.is_below(0.0));
+    match part {
+        Part::Whole => {
+            let inside = y.is_above(f64::NEG_INFINITY) & is_drag(epsilon);
+            // no angle turns further; a NaN does, and becomes the one with the same bits everywhere
+            let found = there & contact.reached & turn.abs().is_at_most(core::f64::consts::TAU);
+            select(found & inside, turn, f64::NAN)
+        }
+        Part::Ordinary => {
+            let distance = target.distance();
+            let ordinary = distance.is_above(TINY)
+                & (distance + epsilon).is_below(FAR)
+                & epsilon.is_at_least(0.0);
+            let declined = select(contact.reached, f64::INFINITY, f64::NAN);
+            let declined = select(ordinary, declined, f64::INFINITY);
+            let found = there & inward & contact.reached & !contact.close;
+            select(found & ordinary, turn, declined)
+        }
+    }
+}
+
+/// The direction to a target that is near: hit after the way r and a fall of r²/2, when squares underflow;
+/// else the one given.
+#[inline(always)]
+fn next_to_launch(
+    near: Mask,
+    x: Number,
+    y: Number,
+    up: DoubleDouble,
+    across: Number,
+) -> (DoubleDouble, Number) {
     let enlarged = |a: Number| a * MOST * MORE;
     let (ahead, above) = (enlarged(x.abs()), enlarged(y));
     let fallen = 0.5 * (ahead * x.abs() + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above + fallen), up);
     // the launch point itself counts as straight ahead
-    let across = select(near, greater(ahead, 1e-300), across);
-
-    let turn = angle_all_round(up, across, x.is_below(0.0));
-    let inside = there & contact.reached & y.is_above(f64::NEG_INFINITY) & is_drag(epsilon);
-    // no angle turns further; a NaN does, and becomes the one that has the same bits everywhere
-    select(inside & turn.abs().is_at_most(core::f64::consts::TAU), turn, f64::NAN)
+    (up, select(near, greater(ahead, 1e-300), across))
 }
 
 /// Launch angle of the lower, faster arc through the target (x, y), in radians.
@@ -294,7 +440,7 @@ fn aim(sense: f64, x: Number, y: Number, epsilon: Number) -> Number {
 /// counts as straight ahead.
 #[inline(always)]
 pub fn aim_low(x: Number, y: Number, eps: Number) -> Number {
-    aim(LOW, x, y, eps)
+    aim(Part::Whole, LOW, x, y, eps)
 }
 
 /// Launch angle of the higher, slower arc through the target (x, y), in radians.
@@ -303,5 +449,19 @@ pub fn aim_low(x: Number, y: Number, eps: Number) -> Number {
 /// meets on its way up and on its way down.
 #[inline(always)]
 pub fn aim_high(x: Number, y: Number, eps: Number) -> Number {
-    aim(HIGH, x, y, eps)
+    aim(Part::Whole, HIGH, x, y, eps)
+}
+
+/// `aim_low` of ordinary targets, faster; ∞ for others. (Blocks of twins alone ask.)
+#[allow(dead_code)]
+#[inline(always)]
+pub(crate) fn aim_low_ordinary(x: Number, y: Number, eps: Number) -> Number {
+    aim(Part::Ordinary, LOW, x, y, eps)
+}
+
+/// `aim_high` of ordinary targets, faster; ∞ for others.
+#[allow(dead_code)]
+#[inline(always)]
+pub(crate) fn aim_high_ordinary(x: Number, y: Number, eps: Number) -> Number {
+    aim(Part::Ordinary, HIGH, x, y, eps)
 }

@@ -5,7 +5,7 @@
 //! e⁻ʷ = γU and P² = X² + U², so that H there is d (2U − d) and half its derivative γd: nothing
 //! cancels in either. Before it P² lies under its parabola of there, too. For the high arc, where
 //! the zeros are near, the approximation to H there gives them. For the low arc, which in strong
-//! drag is nearly straight, follows a step that solves `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)`.
+//! drag is nearly straight, the time of `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)` is nearer than that of β.
 
 use super::super::real::{
     Logarithm, Mask, Number, Order, exponent_and_significand, polynomial, select, sqrt,
@@ -58,7 +58,6 @@ impl Contact {
         let w = -(k * core::f64::consts::LN_2 + 2.0 * (s * artanh_ratio));
         let psi = (1.0 - s * (1.0 - s) * rho) * inverse;
         let fall = select(near, way * way * psi, (w - v) * target.end_square.hi);
-        let t = select(near, way * (2.0 * (artanh_ratio * inverse)), w * end);
 
         let height = up - gamma * fall;
         let below = height - y;
@@ -67,7 +66,7 @@ impl Contact {
         let band = select(band.is_below(up * up * 0.0156), band, up * up * 0.0156) + noise * up;
         let above = below * up;
         Contact {
-            t,
+            t: w * end,
             way,
             fall,
             rest,
@@ -89,7 +88,7 @@ pub(super) struct Start {
 }
 
 #[inline(always)]
-pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
+pub(super) fn start(sense: f64, target: &Target, contact: &Contact) -> Start {
     let Target { x, y, mu, lambda, gamma, end, rise, beyond, .. } = *target;
     let low = sense == LOW;
     let Contact { way, rest, up, below, .. } = *contact;
@@ -123,41 +122,38 @@ pub(super) fn start(target: &Target, contact: &Contact, sense: f64) -> Start {
         select(neighbouring, contact.fall + way * theta, fall)
     };
 
-    // the time of λ²β = w − 1 + e⁻ʷ
     let fall = greater(fall, 1e-290);
+    let end = ended * lambda * mu;
+    if !low {
+        return Start { t: time_after(target, fall), level, end };
+    }
+    Start { t: greater(straight(target, fall), time_after(target, fall)), level, end }
+}
+
+/// A time near that of a fall: `λ²β = w − 1 + e⁻ʷ`.
+#[inline(always)]
+fn time_after(target: &Target, fall: Number) -> Number {
+    let lambda = target.lambda;
     let root = sqrt(2.0 * fall);
     let q = least(lambda * root, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
-    let t = lambda * fall + way;
-    let end = ended * lambda * mu;
-    if !low {
-        return Start { t, level, end };
-    }
-    let change = straight(target, t, fall);
-    let last = select(inside, contact.t, f64::INFINITY);
-    Start { t: least(t + change, last), level, end }
+    lambda * fall + way
 }
 
-/// The step of Newton's in t towards `w = −ln(1 − λR)`, R being the distance of the target from
-/// where all shots have fallen to.
+/// `w = −ln(1 − λR)` as a time, R being the distance of the target from where all shots have fallen to
+/// by β. As β grows to that of the arc, R changes less than the way of a shot does, so that this is
+/// nearer than the time of β itself; but where gravity decides, on steep ways down, it would be too great,
+/// and is 0.
 #[inline(always)]
-fn straight(target: &Target, t: Number, fall: Number) -> Number {
+fn straight(target: &Target, fall: Number) -> Number {
     let Target { x, y, lambda, gamma, end, beyond, .. } = *target;
     let up = y + gamma * fall;
-    let distance = sqrt(x * x + up * up);
-    let share = lambda * distance;
+    let share = lambda * sqrt(x * x + up * up);
     let rest_square = beyond - (lambda * up) * (lambda * up); // 1 − (λR)²
     let by_wall = rest_square * (0.5 + 0.125 * rest_square);
     let rest = select(rest_square.is_below(0.000244140625), by_wall, 1.0 - share);
     let (k, m) = exponent_and_significand(rest);
     let f = select(k.equals(0.0), -share, m - 1.0);
     let logarithm = k * core::f64::consts::LN_2 + f * polynomial(f, &AIM_LOG);
-    let value = t + logarithm * end;
-    // on the way the shot comes to be as far as R: that is the better mean of P
-    let slope = rest - gamma * up;
-    let change = -(value * rest) / slope;
-    // less than that the logarithm and t are not sure of
-    let sure =
-        slope.is_above(0.125 * rest) & rest.is_above(1e-300) & value.is_below(t * -0.001953125);
-    select(sure, change, 0.0)
+    select((gamma * up.abs() + 1e-300).is_below(4.0 * rest), -logarithm * end, 0.0)
 }

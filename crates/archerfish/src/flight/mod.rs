@@ -23,6 +23,8 @@ mod relaxation;
 mod time;
 
 pub use aim::{aim_high, aim_low};
+#[allow(unused_imports)]
+pub(crate) use aim::{aim_high_ordinary, aim_low_ordinary};
 pub use envelope::envelope_height;
 pub use height::trajectory_height;
 pub use optimal_angle::optimal_angle;
