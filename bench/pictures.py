@@ -23,17 +23,17 @@ def bars(rows: Rows, isa: str) -> bytes:
         for y, (kernel, name, time) in enumerate(shown):
             ours = name == "archerfish"
             axes.barh(y, time, color=style.BLUE if ours else style.GREY, height=0.75)
+            bar = BARS[kernel] * allowed if ours and allowed and kernel in BARS else 0.0
             axes.annotate(
                 f"{time:.3g}",
-                (time, y),
+                (max(time, bar), y),
                 (3, 0),
                 textcoords="offset points",
                 va="center",
                 fontsize=7,
             )
             labels.append(kernel if ours else name.replace("₀", "$_0$").replace("α", r"$\alpha$"))
-            if ours and allowed and kernel in BARS:
-                bar = BARS[kernel] * allowed
+            if bar:
                 axes.plot([bar, bar], [y - 0.5, y + 0.5], color=style.VERMILLION)
         axes.set_xscale("log")
         axes.set_xlim(0.5, 6 * max(time for *_, time in shown))

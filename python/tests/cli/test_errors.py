@@ -147,14 +147,14 @@ def test_standard_output_that_is_full(tmp_path, unbuffered):
     assert done.returncode == 1
 
 
-def test_standard_output_that_is_closed(tmp_path):
-    done = subprocess.run(
-        ["bash", "-c", f"{sys.executable} -m archerfish {' '.join(SHOT)} --output a.csv >&-"],
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=tmp_path,
-        check=False,
+def shell(line, folder):
+    return subprocess.run(
+        ["bash", "-c", line], capture_output=True, text=True, cwd=folder, check=False
     )
+
+
+def test_standard_output_that_is_closed(tmp_path):
+    done = shell(f"{sys.executable} -m archerfish {' '.join(SHOT)} --output a.csv >&-", tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "a.csv").read_text().startswith("launch_angle_deg,")
 
@@ -165,13 +165,7 @@ BATCH = f"{sys.executable} -m archerfish shot --speed 10 --epsilon 0.1 --batch"
 @pytest.mark.parametrize("source", ["-", "in.csv"])
 def test_standard_input_that_is_closed(tmp_path, source):
     (tmp_path / "in.csv").write_text("launch_angle_deg\n45\n")
-    done = subprocess.run(
-        ["bash", "-c", f"{BATCH} {source} <&-"],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        check=False,
-    )
+    done = shell(f"{BATCH} {source} <&-", tmp_path)
     if source == "-":
         message = "archerfish: cannot read standard input: it is closed\n"
         assert (done.returncode, done.stdout, done.stderr) == (1, "", message)
@@ -181,13 +175,7 @@ def test_standard_input_that_is_closed(tmp_path, source):
 
 def test_standard_error_that_is_closed(tmp_path):
     (tmp_path / "in.csv").write_text("launch_angle_deg\n45\nx\n")
-    done = subprocess.run(
-        ["bash", "-c", f"{BATCH} in.csv --output out.csv 2>&-"],
-        stdout=subprocess.PIPE,
-        text=True,
-        cwd=tmp_path,
-        check=False,
-    )
+    done = shell(f"{BATCH} in.csv --output out.csv 2>&-", tmp_path)
     assert (done.returncode, done.stdout) == (0, "wrote out.csv\n")
     assert "must be a number" in (tmp_path / "out.csv").read_text()
 
@@ -198,13 +186,7 @@ def test_standard_output_by_its_name_is_the_one_that_is_open(tmp_path):
     log.write_text("before\n")
     number = log.stat().st_ino
     command = f"{sys.executable} -m archerfish {' '.join(SHOT)} --format csv --output /dev/stdout"
-    done = subprocess.run(
-        ["bash", "-c", f"{command} >> log; echo after >> log"],
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=tmp_path,
-        check=True,
-    )
+    done = shell(f"{command} >> log; echo after >> log", tmp_path)
     text = log.read_text()
     assert (done.stderr, log.stat().st_ino) == ("", number)
     assert text.startswith("before\nlaunch_angle_deg,")

@@ -7,7 +7,7 @@
 //! touching point of the envelope lies between the two where they are close together, and begins both
 //! (`aim_start.rs`). Two steps to the zero of (a + bθ + cθ²)/(1 + eθ), which has the first three
 //! derivatives of H, lead on; the second has its residual in sums of two doubles. The angle is that
-//! of (X, Y + γβ).
+//! of (X, Y + γβ), or far out, where that is a small difference, of (X, ±√(P² − X²)).
 
 use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, two_product, two_square,
@@ -46,8 +46,8 @@ pub(super) const LOW: f64 = 1.0;
 pub(super) const HIGH: f64 = -1.0;
 /// w beyond which e⁻ʷ counts as 0.
 const ENDED: f64 = 700.0;
-/// 1/FAR, FAR being 2¹¹⁶: that far out the speed of the launch no longer counts, and a target at half of
-/// x, a quarter of y and twice ε is hit by the same angle. Squares of squares would overflow.
+/// 2⁻¹¹⁶: as far out as 2¹¹⁶ the speed of the launch no longer counts, and a target at half of x, a quarter
+/// of y and twice ε is hit by the same angle. Squares of squares would overflow.
 const NEARER: f64 = f64::from_bits((1023 - 116) << 52);
 /// Beyond this they would as well; so far down no shot changes its direction by what the last digit
 /// does.
@@ -452,15 +452,15 @@ pub fn aim_high(x: Number, y: Number, eps: Number) -> Number {
     aim(Part::Whole, HIGH, x, y, eps)
 }
 
-/// `aim_low` of ordinary targets, faster; ∞ for others. (Blocks of twins alone ask.)
-#[allow(dead_code)]
+/// `aim_low` of ordinary targets, faster; ∞ for others.
+#[allow(dead_code, reason = "blocks of twins alone ask")]
 #[inline(always)]
 pub(crate) fn aim_low_ordinary(x: Number, y: Number, eps: Number) -> Number {
     aim(Part::Ordinary, LOW, x, y, eps)
 }
 
 /// `aim_high` of ordinary targets, faster; ∞ for others.
-#[allow(dead_code)]
+#[allow(dead_code, reason = "blocks of twins alone ask")]
 #[inline(always)]
 pub(crate) fn aim_high_ordinary(x: Number, y: Number, eps: Number) -> Number {
     aim(Part::Ordinary, HIGH, x, y, eps)
