@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import mpmath as mp
 import numpy as np
+from scipy.optimize import minimize
 
 mp.mp.dps = 60
 
@@ -56,6 +57,13 @@ def exp_tail(x):
     )(x)
 
 
+def residual_tail(r):
+    """(e^(−r) − 1 + r) / r²."""
+    return taylor_near_zero(
+        lambda t: (mp.expm1(-t) + t) / t**2, lambda k: (-1) ** k / mp.factorial(k + 2)
+    )(r)
+
+
 def atanh_tail(z):
     """((artanh(√z)/√z − 1) / z − 1/3) / z."""
     return taylor_near_zero(
@@ -67,6 +75,11 @@ def atanh_tail(z):
 def atanh_excess(z):
     """(artanh(√z)/√z − 1) / z."""
     return mp.mpf(1) / 3 + z * atanh_tail(z)
+
+
+def twice_atanh_excess(z):
+    """2 (artanh(√z)/√z − 1) / z."""
+    return 2 * atanh_excess(z)
 
 
 def sin_tail(z):
@@ -139,12 +152,13 @@ TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
+    "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 9, lambda r: r * r),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
-    "log1pmx_tail": Fit(atanh_excess, 0, mp.mpf("0.0401"), 7, one),
+    "log1pmx_tail": Fit(twice_atanh_excess, 0, mp.mpf("0.0401"), 7, mp.sqrt),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
-    "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 7, one),
+    "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 5, one),
     "aim_exp_tail": Fit(aim_exp_tail, -HALF_LN2, HALF_LN2, 5, lambda r: abs(r) ** 3),
     "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 3, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
@@ -223,10 +237,10 @@ class Start(NamedTuple):
 
 
 def bearable_error(w):
-    """Relative error of w that one step of fourth order (lambert/step.rs) brings to 2⁻⁵⁷."""
+    """Relative error of w that one step (lambert/step.rs) brings to 2⁻⁵³, with its fourth power."""
     i = 1 / (1 + w)
     a, b, c = (1 + w / 2) * i, (1 / 2 + w / 6) * i, (1 / 6 + w / 24) * i
-    return (2.0**-57 * abs(w) / abs(5 * a**3 - 5 * a * b + c)) ** 0.25 / abs(w)
+    return (2.0**-53 * abs(w) / abs(5 * a**3 - 5 * a * b + c)) ** 0.25 / abs(w)
 
 
 def principal_start():
@@ -237,7 +251,7 @@ def principal_start():
     y, logarithm = y[abs(logarithm) > 1e-2], logarithm[abs(logarithm) > 1e-2]
     # w + ln w = ln z for the great ones, which expm1 would overflow
     w = np.array([float(mp.lambertw(mp.expm1(mp.mpf(x))).real) for x in logarithm])
-    return Start(y, w / logarithm, bearable_error(w), 7, 6)
+    return Start(y, w / logarithm, bearable_error(w), 6, 6)
 
 
 def lower_start():
@@ -267,6 +281,12 @@ def rough_gain():
 def rougher_gain():
     """G as a function of 1/(1 + u), for the guess before."""
     return Start(DRAGS, gain(DRAGS), 2.0**-9 / gain(DRAGS), 2, 2, compressed=True)
+
+
+def stretch_root():
+    """The square root on [1/4, 1], to 2⁻¹⁵."""
+    stretch = np.linspace(0.25, 1, 4000)
+    return Start(stretch, np.sqrt(stretch), np.full_like(stretch, 2.0**-15), 2, 2)
 
 
 def half_time_start():
@@ -309,6 +329,7 @@ STARTS = {
     "lower_start": lower_start,
     "rough_gain": rough_gain,
     "rougher_gain": rougher_gain,
+    "stretch_root": stretch_root,
 }
 
 
@@ -356,6 +377,36 @@ def rough_gain_slope():
     return [float(f"{c:.10g}") for c in coefficients], worst
 
 
+def rough_root():
+    """The a, b, c that make `rougher_gain` at v (1 + c v)/(1 + c v − (a + b v) cos²θ) a guess of g.
+
+    g solves `g = G(v/√(sin²θ + g² cos²θ))`, where v = ε sin θ.
+    """
+    top, bottom, _ = lawson(rougher_gain())
+    v, cos2 = np.meshgrid(np.append(1e-6, np.geomspace(1e-3, 1e8, 260)), np.linspace(0, 1, 41))
+    g = np.full_like(v, 0.7)
+    for _ in range(200):
+        g = gain(v / np.sqrt(1 - (1 - g * g) * cos2))
+
+    def worst_error(coefficients):
+        a, b, c = coefficients
+        root = 1 + c * v - (a + b * v) * cos2
+        x = root / (root + v * (1 + c * v))
+        rough = np.polynomial.Polynomial(top)(x) / np.polynomial.Polynomial(bottom)(x)
+        return abs(rough - g).max()
+
+    found = minimize(
+        worst_error, [0.46, 0.014, 0.33], method="Nelder-Mead", options={"xatol": 1e-9}
+    )
+    return [float(f"{c:.10g}") for c in found.x], worst_error(found.x)
+
+
+SEARCHES = {
+    "rough_gain_slope": ("least squares", rough_gain_slope),
+    "rough_root": ("least greatest error", rough_root),
+}
+
+
 def print_table(name, coefficients):
     print(f"const {name.upper()}: [f64; {len(coefficients)}] = [")
     for c in coefficients:
@@ -364,10 +415,11 @@ def print_table(name, coefficients):
 
 
 def main(names):
-    for name in names or [*FITS, *STARTS, "rough_gain_slope"]:
-        if name == "rough_gain_slope":
-            coefficients, worst = rough_gain_slope()
-            print(f"// {name}: least squares, error {worst:.2g}: reference/coefficients.py {name}")
+    for name in names or [*FITS, *STARTS, *SEARCHES]:
+        if name in SEARCHES:
+            how, search = SEARCHES[name]
+            coefficients, worst = search()
+            print(f"// {name}: {how}, error {worst:.2g}: reference/coefficients.py {name}")
             print_table(name, coefficients)
             continue
         if name in STARTS:

@@ -158,7 +158,8 @@ LOG1PMX = unary(
         (2, near(-1, 1)),
         (1, signed(log_uniform(1e-163, 1e-150))),
     ),
-    LN_1P.corners and [c[0] for c in LN_1P.corners],
+    # where the kernel changes its power of two
+    [*(c[0] for c in LN_1P.corners), *neighbours(-0.3134765625, -0.65673828125, 0.5, 2.0)],
 )
 TURN = 2 * np.pi
 CIRCLE = unary(

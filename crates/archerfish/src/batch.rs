@@ -43,7 +43,7 @@ table! { UNARY: UnaryBatch => (out);
     lambertw0_offset(d) = lambert::lambertw0_offset;
     lambertwm1_offset(d) = lambert::lambertwm1_offset;
     tree(z) = lambert::tree;
-    log1pmx(x) = real::log1pmx;
+    log1pmx(x) = real::log1pmx or log1pmx_ordinary;
     optimal_angle(eps) = flight::optimal_angle;
 }
 

@@ -1,21 +1,23 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::super::real::double_double::{fast_two_difference, fast_two_sum, two_sum};
+use super::super::real::double_double::{fast_two_difference, fast_two_sum};
 use super::super::real::{Logarithm, Number, Order, atan_bend, select};
+use super::drag::Quotients;
 use super::launch::{LIFT, Launch, within_domain};
 
 impl Launch {
     /// `x = sin α cos α / q`
     #[inline(always)]
     fn x(&self) -> Number {
-        self.lifted().times(self.cos).quotient(self.q()) * (1.0 / LIFT)
+        let lifted = self.cos.times_double(self.sin.hi * LIFT);
+        lifted.quotient(self.q_of_rounded()) * (1.0 / LIFT)
     }
 
-    /// `y = sin²α φ(u)`, φ(u) being (1 − a)/(2 + u)
+    /// `y = sin²α φ(u)`
     #[inline(always)]
-    fn y(&self, a: Number) -> Number {
-        let rest = fast_two_difference(1.0, a);
-        let lifted = self.lifted().squared().times(rest).quotient(self.q_plus_one());
+    fn y(&self, drag: &Quotients) -> Number {
+        let (top, bottom) = drag.fall(self.u.lo);
+        let lifted = self.lifted().squared().times(top).quotient(bottom);
         lifted * (1.0 / LIFT / LIFT)
     }
 
@@ -33,18 +35,18 @@ impl Launch {
     /// `r = sin α √(cos²α + G² sin²α) / q`
     #[inline(always)]
     fn distance(&self) -> Number {
-        let rise = self.sin.times(self.gain(self.a()));
+        let rise = self.sin.times(self.gain());
         let stretch = self.cos.squared().add_positives(rise.squared());
         self.lifted().times(stretch.sqrt()).quotient(self.q()) * (1.0 / LIFT)
     }
 
-    /// `θ = α − arctan τ`, `τ = R sin α cos α / (2 + u − R sin²α)`, R being 1 + (1 + u) a, which is
-    /// (2 + u)(1 − G): equation (10), and τ² is at most 1/8
+    /// `θ = α − arctan τ`, `τ = (1 − G) sin α cos α / (1 − (1 − G) sin²α)`: equation (10), and τ² is at
+    /// most 1/8
     #[inline(always)]
-    fn elevation(&self, alpha: Number, a: Number) -> Number {
-        let rise = self.sin.times(two_sum(1.0, self.q().hi * a));
-        let fall = rise.times(self.sin);
-        let divisor = self.q_plus_one().sub_smaller(fall);
+    fn elevation(&self, alpha: Number, drag: &Quotients) -> Number {
+        let (loss, whole) = drag.loss();
+        let rise = self.sin.times(loss);
+        let divisor = whole.sub_smaller(rise.times(self.sin));
         let lifted = rise.scale(LIFT).times(self.cos).div(divisor);
         let tau = lifted.scale(1.0 / LIFT);
         let sum = fast_two_difference(alpha, tau.hi);
@@ -57,12 +59,13 @@ impl Launch {
 #[inline(always)]
 pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
-    let a = launch.a();
+    let drag = Quotients::at(launch.u.hi);
+    let sin2 = launch.sin.squared();
     (
         within_domain(alpha, eps, launch.x()),
-        within_domain(alpha, eps, launch.y(a)),
-        within_domain(alpha, eps, launch.elevation(alpha, a)),
-        within_domain(alpha, eps, launch.curvature()),
+        within_domain(alpha, eps, launch.y(&drag)),
+        within_domain(alpha, eps, launch.elevation(alpha, &drag)),
+        within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
 

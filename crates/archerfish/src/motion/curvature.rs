@@ -1,40 +1,45 @@
 //! Curvature of the locus: equation (19) and its like by launch angle.
 //!
-//! Method: with q = 1 + u and A = cos²α/q, from cos²α to 0, section 2's N and D over q² are
-//! `sin²α + A (1 + cos²α − A)` and `sin²α cos²α + (A − sin²α)²` (A = sin²α is the rightmost apex),
-//! so that `ρK = q N / D^{3/2}`. All but q stays of moderate size, and D is never near zero.
+//! Method: with q = 1 + u, S = sin²α and A = cos²α/q, from cos²α to 0, section 2's N and D over q² are
+//! `S + A + A (cos²α − A)` and `A² + S (1 − 2A)`, so that `ρK = q N / D^{3/2}`. All but q stays of
+//! moderate size; S (1 − 2A) is negative where A > 1/2, but then A² is twice its size at least.
 
-use super::super::real::double_double::DoubleDouble;
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_product};
 use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
 use super::launch::{LIFT, Launch, within_domain};
 use super::locus::Elevated;
 
-const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
+/// 2⁶⁰⁰
 const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
 /// 2⁻⁷⁰⁰
 const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
 
 impl Launch {
-    /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵
+    /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵, by sin²α and cos²α
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn curvature(&self) -> Number {
+    pub fn curvature(&self, sin2: DoubleDouble, cos2: DoubleDouble) -> Number {
         let q = self.q();
-        let (sin2, cos2) = (self.sin.squared(), self.cos.squared());
-        let share = cos2.div(q);
-        let numerator = share.times(cos2.sub_smaller(share).add_positive(1.0)).add_positives(sin2);
-        let rightmost = share.minus(sin2);
-        let denominator = sin2.times(cos2).add_positives(rightmost.squared());
-
-        // far below the end of the range until the last multiplication, which may overflow
-        let inverse = 1.0 / denominator.hi;
+        let inverse = 1.0 / q.hi;
+        let share = cos2.div_by(q, inverse);
+        let denominator = share.squared().add_positives(sin2.times(share.twice().complement()));
         let root = sqrt(denominator.hi);
-        let root_inverse = root * inverse;
-        let root =
-            DoubleDouble { hi: root, lo: denominator.less_square(root) * (0.5 * root_inverse) };
-        let ratio = numerator.div_by(denominator, inverse);
-        ratio.times(q.scale(SMALL)).quotient_by(root, root_inverse) * LARGE
+
+        // here, while the root is under way (bench/NOTES.md, "Order")
+        let sum = sin2.add_positives(share);
+        let across = cos2.hi - share.hi;
+        let more = two_product(share.hi, across);
+        let numerator = fast_two_sum(sum.hi, more.hi);
+        let more_rest = more.lo + (share.lo * (across - share.hi) + share.hi * cos2.lo);
+        let numerator = DoubleDouble { hi: numerator.hi, lo: numerator.lo + (sum.lo + more_rest) };
+
+        // D^{3/2}, which may be as small as 10⁻⁴⁵⁰; the last multiplication may overflow
+        let power = two_product(denominator.hi * LARGE, root);
+        let root_rest = rest_of_product(denominator.hi, root, root);
+        let change = (1.5 * LARGE) * denominator.lo + (0.5 * LARGE) * root_rest;
+        let power = DoubleDouble { hi: power.hi, lo: power.lo + root * change };
+        numerator.times(q).quotient(power) * LARGE
     }
 }
 
@@ -52,5 +57,9 @@ pub fn locus_curvature(theta: Number, eps: Number) -> Number {
     // so near the launch point it depends on ε sin α alone, and sin α would be subnormal
     let near = theta.is_below(NEAR);
     let (angle, epsilon) = (theta * select(near, LIFT, 1.0), eps * select(near, 1.0 / LIFT, 1.0));
-    within_domain(theta, eps, Elevated::new(angle, epsilon).launch().curvature())
+    within_domain(theta, eps, {
+        let launch = Elevated::new(angle, epsilon).launch();
+        // both squares: an error of one alone is up to eight times as great in 1 less it
+        launch.curvature(launch.sin.squared(), launch.cos.squared())
+    })
 }

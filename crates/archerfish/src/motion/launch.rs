@@ -1,8 +1,8 @@
 //! One launch: the direction, and the drag it meets.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_difference};
-use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
-use super::drag::Drag;
+use super::super::real::double_double::{DoubleDouble, rest_of_product};
+use super::super::real::{Digits, Mask, Number, Order, select, sin_cos_upper};
+use super::drag::Quotients;
 
 /// A launch at angle α with drag parameter ε.
 pub(crate) struct Launch {
@@ -10,13 +10,14 @@ pub(crate) struct Launch {
     pub cos: DoubleDouble,
     /// `u = ε sin α`, as it fell from the product
     pub u: DoubleDouble,
+    epsilon: Number,
 }
 
 impl Launch {
     /// In the direction (cos α, sin α).
     #[inline(always)]
     pub fn new(sin: DoubleDouble, cos: DoubleDouble, epsilon: Number) -> Self {
-        Launch { sin, cos, u: sin.times_double(epsilon) }
+        Launch { sin, cos, u: sin.times_double(epsilon), epsilon }
     }
 
     /// sin α, 2²⁰⁰ times as large: for lengths, which are proportional to it or to its square, and
@@ -30,43 +31,45 @@ impl Launch {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(alpha: Number, epsilon: Number) -> Self {
-        let (sin, cos) = sin_cos_upper(alpha);
+        let (sin, cos) = sin_cos_upper(alpha, Digits::Enough);
         Launch::new(sin, cos, epsilon)
     }
 
-    /// `q = 1 + u`
+    /// `q = 1 + u`, of the product itself: `two_sum` with u as it is before it is rounded.
     #[inline(always)]
     pub fn q(&self) -> DoubleDouble {
-        self.u.add_positive(1.0)
+        let hi = 1.0 + self.sin.hi * self.epsilon;
+        let u = hi - 1.0;
+        let one_rest = 1.0 - (hi - u);
+        let u_rest = rest_of_product(u, self.sin.hi, self.epsilon);
+        DoubleDouble { hi, lo: (self.sin.lo * self.epsilon + one_rest) - u_rest }
     }
 
-    /// `2 + u`
+    /// `q` of the rounded sine; without what the 1 leaves behind where it is less than a unit in the
+    /// last place of u.
     #[inline(always)]
-    pub fn q_plus_one(&self) -> DoubleDouble {
-        self.u.add_positive(2.0)
+    pub fn q_of_rounded(&self) -> DoubleDouble {
+        let hi = 1.0 + self.sin.hi * self.epsilon;
+        DoubleDouble { hi, lo: -rest_of_product(hi - 1.0, self.sin.hi, self.epsilon) }
     }
 
-    /// `a`, all that drag's special function contributes to an apex.
+    /// `G(u)`
     #[inline(always)]
-    pub fn a(&self) -> Number {
-        Drag::at(self.u.round()).a
-    }
-
-    /// `G(u) = (1 + u)(1 − a)/(2 + u)`
-    #[inline(always)]
-    pub fn gain(&self, a: Number) -> DoubleDouble {
-        self.q().times(fast_two_difference(1.0, a)).div(self.q_plus_one())
+    pub fn gain(&self) -> DoubleDouble {
+        let (loss, whole) = Quotients::at(self.u.hi).loss();
+        whole.sub_smaller(loss).div(whole)
     }
 }
 
 /// Whether the functions of this module take the angle and the drag parameter.
 #[inline(always)]
 pub(crate) fn in_domain(angle: Number, epsilon: Number) -> Mask {
+    // the mirrored angle is below 0 beyond π; and a NaN stays
+    let mirrored = core::f64::consts::PI - angle;
+    let least = select(angle.is_below(mirrored), angle, mirrored);
+    let least = select(epsilon.is_below(least), epsilon, least);
     // not `< INFINITY`: that comparison the compiler makes a test of bits, in five instructions
-    angle.is_at_least(0.0)
-        & angle.is_at_most(core::f64::consts::PI)
-        & epsilon.is_at_least(0.0)
-        & epsilon.is_at_most(f64::MAX)
+    least.is_at_least(0.0) & epsilon.is_at_most(f64::MAX)
 }
 
 /// `value` where the angle and the drag parameter are in the domain, else NaN.

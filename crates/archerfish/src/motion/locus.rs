@@ -5,15 +5,17 @@
 //! `τ = (1 − G) cos θ sin θ / (1 − (1 − G) cos²θ)`.
 //!
 //! First g = G(u) itself is found to 2⁻¹⁸ in ordinary arithmetic, from
-//! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: two Newton steps, on rational approximations of G. That
-//! gives τ. One step of third order on the equation for α leaves an error far below the last digit;
-//! its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β with
-//! it, without a further series.
+//! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: a guess and one Newton step, on rational approximations of
+//! G. That gives τ. One step of third order on the equation for α leaves an error far below the last
+//! digit; its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β
+//! with it, without a further series.
 
 use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
 };
-use super::super::real::{Mask, Number, Order, atan_bend, polynomial, select, sin_cos_upper, sqrt};
+use super::super::real::{
+    Digits, Mask, Number, Order, atan_bend, polynomial, select, sin_cos_upper, sqrt,
+};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
 
@@ -23,9 +25,15 @@ const ROUGH_GAIN_BOTTOM: [f64; 5] = [1.0, 44.78366677, 260.8441074, 362.0037094,
 // rougher_gain: 0.79 of the error that can be borne: reference/coefficients.py rougher_gain
 const ROUGHER_GAIN_TOP: [f64; 3] = [0.9984534505, 23.32839793, 10.33700643];
 const ROUGHER_GAIN_BOTTOM: [f64; 3] = [1.0, 27.46378559, 40.64950412];
+// stretch_root: 0.61 of the error that can be borne: reference/coefficients.py stretch_root
+const STRETCH_ROOT_TOP: [f64; 3] = [0.1372878259, 2.870998001, 2.828428691];
+const STRETCH_ROOT_BOTTOM: [f64; 3] = [1.0, 4.060205059, 0.7766179411];
+// rough_root: least greatest error, error 0.002: reference/coefficients.py rough_root
+const ROUGH_ROOT: [f64; 3] = [0.4643173479, 0.01417694834, 0.3340496884];
 // rough_gain_slope: least squares, error 0.00016: reference/coefficients.py rough_gain_slope
 const ROUGH_GAIN_SLOPE: [f64; 6] =
     [-9.308471175e-06, 0.02536088662, 7.435762406, 158.6600913, -39.50637987, -126.6566319];
+
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
@@ -51,14 +59,16 @@ impl Elevated {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(theta: Number, epsilon: Number) -> Self {
-        let (sin_theta, cos_theta) = sin_cos_upper(theta);
+        let (sin_theta, cos_theta) = sin_cos_upper(theta, Digits::More);
         let mirrored = cos_theta.hi.is_below(0.0);
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
-        let up = sin_theta.add_smaller(cos_theta.times_double(tau));
-        let cos_beta = cos_of_tan(tau);
-        // here, while its division and its root are under way (bench/NOTES.md, "Order")
+        // each while the root or the division before it is under way (bench/NOTES.md, "Order")
+        let secant = Secant::of_tan(tau);
         let bend = atan_bend(tau);
+        let inverse = 1.0 / secant.root;
+        let up = sin_theta.add_smaller(cos_theta.times_double(tau));
+        let cos_beta = secant.inverse(inverse);
         let u = up.times(cos_beta).times_double(epsilon).round();
         let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u);
         Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, bend, step }
@@ -103,43 +113,50 @@ impl Elevated {
     }
 }
 
-/// `1/√(1 + τ²)`, from its rounded value; the residuals are of the root and of the division.
-#[inline(always)]
-fn cos_of_tan(tau: Number) -> DoubleDouble {
-    let square = two_square(tau);
-    let sum = fast_two_sum(1.0, square.hi);
-    let sum = DoubleDouble { hi: sum.hi, lo: sum.lo + square.lo };
-    let root = sqrt(sum.hi);
-    let inverse = 1.0 / root;
-    let root_rest = sum.less_square(root) * (0.5 * inverse);
-    let rest = rest_of_product(1.0, root, inverse) - inverse * root_rest;
-    DoubleDouble { hi: inverse, lo: inverse * rest }
+/// `√(1 + τ²)`
+struct Secant {
+    square: DoubleDouble,
+    root: Number,
+}
+
+impl Secant {
+    #[inline(always)]
+    fn of_tan(tau: Number) -> Self {
+        let square = two_square(tau);
+        let sum = fast_two_sum(1.0, square.hi);
+        let square = DoubleDouble { hi: sum.hi, lo: sum.lo + square.lo };
+        Secant { square, root: sqrt(square.hi) }
+    }
+
+    /// Its inverse, from the rounded value; the residuals are of the root and of the division.
+    #[inline(always)]
+    fn inverse(&self, inverse: Number) -> DoubleDouble {
+        let root_rest = self.square.less_square(self.root) * (0.5 * inverse);
+        let rest = rest_of_product(1.0, self.root, inverse) - inverse * root_rest;
+        DoubleDouble { hi: inverse, lo: inverse * rest }
+    }
 }
 
 /// τ to 2⁻¹⁷ of sin α or better.
 #[inline(always)]
 fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
-    /// A value of G to begin with.
-    const GAIN: f64 = 0.7;
     let (sin2, cos2) = (sin * sin, cos * cos);
     // where G differs from 1 by less than anything, no power of v overflows
     let v = select((epsilon * sin).is_above(1e60), 1e60, epsilon * sin);
 
-    // u = v/√stretch and 1/(1 + u) = root/whole; the root is right to a hundredth
-    let stretch = sin2 + GAIN * GAIN * cos2;
-    let root = 1.00662 - 0.3 * cos2;
-    let whole = root + v;
+    // u = v/√stretch is nearly `v scale/root`
+    let scale = 1.0 + ROUGH_ROOT[2] * v;
+    let root = scale - (ROUGH_ROOT[0] + ROUGH_ROOT[1] * v) * cos2;
+    let whole = root + v * scale;
     let powers = |c: &[f64; 3]| (c[0] * whole + c[1] * root) * whole + c[2] * (root * root);
-    let (top, bottom) = (powers(&ROUGHER_GAIN_TOP), powers(&ROUGHER_GAIN_BOTTOM));
-    // u G′(u) is nearly 1.7 (G − 1/2)(1 − G); d/dg of G(u(g)) is −u G′ g cos²θ/stretch
-    let slope = 1.7 * (top - 0.5 * bottom) * (bottom - top);
-    let g = GAIN
-        + (top - GAIN * bottom) * bottom * stretch
-            / (bottom * bottom * stretch + slope * (GAIN * cos2));
+    let g = powers(&ROUGHER_GAIN_TOP) / powers(&ROUGHER_GAIN_BOTTOM);
 
     let stretch = sin2 + g * g * cos2;
-    let root = sqrt(stretch);
-    let x = sqrt(root / (root + v));
+    // its root is a quotient too, so that x = 1/√(1 + u) takes one division and one root
+    let square = stretch * stretch;
+    let over = (STRETCH_ROOT_TOP[0] + STRETCH_ROOT_TOP[1] * stretch) + STRETCH_ROOT_TOP[2] * square;
+    let under = (1.0 + STRETCH_ROOT_BOTTOM[1] * stretch) + STRETCH_ROOT_BOTTOM[2] * square;
+    let x = sqrt(over / (over + v * under));
     let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
     let top = polynomial(x, &ROUGH_GAIN_TOP);
     let slope = polynomial(x, &ROUGH_GAIN_SLOPE);
@@ -151,9 +168,9 @@ fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
 
 /// The step of third order from α₀ = θ + β₀ to the solution of `α = arctan(tan θ / G)`.
 ///
-/// For functions of u, u d/du is tan α d/dα; with e = u da/du that gives the first two derivatives
-/// of G, which grow with 1/sin α and 1/sin²α, while the step shrinks with sin α: it is computed in
-/// units of sin α. All divisions are one.
+/// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
+/// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
+/// with sin α: it is computed in units of sin α. All divisions are one.
 #[inline(always)]
 fn step(
     sin: Number,
@@ -167,7 +184,7 @@ fn step(
     let sin_alpha = up.hi * cos_beta;
     let cos_alpha = (cos.hi - tau * sin) * cos_beta;
     let drag = Drag::at(u);
-    let Drag { sigma, sigma_rest, rho, a } = drag;
+    let Drag { sigma, sigma_rest, a } = drag;
 
     // how far τ is from the right side: 1 − G is (1 + (1 + u) a)/(2 + u)
     let rest = two_sum_positive(1.0, (1.0 + u) * a);
@@ -186,18 +203,21 @@ fn step(
     let sigma_plus_one = 1.0 + sigma;
     let (left, right) = (bottom * slope, stretch * sigma_plus_one);
     let inverse = 1.0 / (left * right);
+    // here, while the division is under way (bench/NOTES.md, "Order"); 1 + u is (1 + σ)/(1 − σ)
+    let turned = a * cos_alpha;
+    let e_top = (2.0 - (4.0 + u) * gain_rest) * sigma_rest;
+    let cos_alpha2 = cos_alpha * cos_alpha;
+    let turned_square = 2.0 * gain * (turned * turned);
+    let across = sin * cos;
     let (by_left, by_right) = (right * inverse, left * inverse);
     // the angle between two tangents
     let residual = value * (by_left * slope);
     let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
     let by_slope = by_left * bottom;
-    let e = sigma * sigma_rest * (by_right * stretch - (1.0 + sigma_rest) * rho);
-    let turned = a * cos_alpha;
-    let bend = e * (cos_alpha * cos_alpha)
-        - a
-        - 2.0 * gain * (turned * turned) * (cos2 * (by_right * sigma_plus_one));
+    let e = e_top * (by_right * stretch);
+    let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * sigma_plus_one));
     let newton = residual * stretch * by_slope;
-    let quadratic = 0.5 * bend * (sin * cos * by_slope);
+    let quadratic = 0.5 * bend * (across * by_slope);
     sin_alpha * (newton - newton * newton * quadratic)
 }
 

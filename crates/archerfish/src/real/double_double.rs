@@ -36,8 +36,8 @@ fn product_error(a: Number, b: Number, p: Number) -> Number {
     ((a_head * b_head - p) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail
 }
 
-/// `a − x y`, rounded once, where x y is nearly a: the rest of a quotient, for which nothing is
-/// lost where it is a double. Both ways subtract exactly until the last rounding.
+/// `a − x y`, rounded once, where a less the rounded product is a double: the rest of a quotient, or of
+/// a sum. Both ways subtract exactly until the last rounding.
 #[inline(always)]
 pub(crate) fn rest_of_product(a: operand!(), x: Number, y: Number) -> Number {
     let a: Number = a.into();
@@ -197,6 +197,19 @@ impl DoubleDouble {
     pub fn add_positives(self, b: Self) -> Self {
         let sum = two_sum_positive(self.hi, b.hi);
         DoubleDouble { hi: sum.hi, lo: sum.lo + (self.lo + b.lo) }
+    }
+
+    /// `2 self`.
+    #[inline(always)]
+    pub fn twice(self) -> Self {
+        DoubleDouble { hi: self.hi + self.hi, lo: self.lo + self.lo }
+    }
+
+    /// `1 - self`, where self is at most 2, and nothing below 0.
+    #[inline(always)]
+    pub fn complement(self) -> Self {
+        let difference = fast_two_difference(1.0, self.hi);
+        DoubleDouble { hi: difference.hi, lo: difference.lo - self.lo }
     }
 
     /// `-self`.

@@ -29,8 +29,10 @@ pub use trigonometric::{cos, sin, sin_cos, tan};
 pub(crate) use atan::{angle, angle_all_round, atan_bend};
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
+#[allow(unused_imports, reason = "blocks of twins alone ask")]
+pub(crate) use log1pmx::log1pmx_ordinary;
 pub(crate) use polynomial::polynomial;
-pub(crate) use trigonometric::{sin_cos_extended, sin_cos_upper};
+pub(crate) use trigonometric::{Digits, sin_cos_extended, sin_cos_upper};
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
 #[inline(always)]
@@ -43,6 +45,13 @@ pub(crate) fn select(condition: Mask, a: operand!(), b: operand!()) -> Number {
 pub(crate) fn power_of_two(n: Number) -> Number {
     // 1.5·2⁵² + 1023 + n has 1023 + n in its low bits
     Number::from_bits((n + (MAGIC + 1023.0)).to_bits() << 52)
+}
+
+/// `2ⁿ⁺ᵐ`, given `MAGIC + n` and m; n + m in [−1022, 1023].
+#[inline(always)]
+pub(crate) fn power_of_shifted(shifted: Number, m: f64) -> Number {
+    let one = ((1023.0 + m) as u64) << 52;
+    Number::from_bits((shifted.to_bits() << 52).wrapping_add(one))
 }
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer, which then also stands in

@@ -36,9 +36,18 @@ const HALF_PI: [f64; 3] = [
     f64::from_bits(0x397b_839a_2520_49c1),
 ];
 
-/// `sin r` and `cos r` for |r| ≤ π/4, each to 2⁻⁵⁶ of itself.
+/// How well a sine and a cosine are wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Digits {
+    /// to 2⁻⁵⁶ of themselves
+    More,
+    /// to 2⁻⁵⁴, six instructions less
+    Enough,
+}
+
+/// `sin r` and `cos r` for |r| ≤ π/4.
 #[inline(always)]
-fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+fn sin_cos_reduced(r: DoubleDouble, digits: Digits) -> (DoubleDouble, DoubleDouble) {
     let DoubleDouble { hi: z, lo: z_low } = two_square(r.hi);
     // the leading term −r³/6 apart: it is a seventh of sin r, and its roundings are felt
     let cube = r.hi * z;
@@ -47,10 +56,15 @@ fn sin_cos_reduced(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         rest
     };
     let sixth = SIN_TAIL[0];
-    let small = cube * (z * polynomial(z, &SIN_REST)) + r.hi * (sixth * z_low);
+    let small = cube * (z * polynomial(z, &SIN_REST));
+    let cos_small = r.hi * r.lo;
+    let (small, cos_small) = match digits {
+        Digits::More => (small + r.hi * (sixth * z_low), 0.5 * z_low + cos_small),
+        Digits::Enough => (small, cos_small),
+    };
     let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
     let cos = fast_two_difference(1.0, 0.5 * z);
-    let cos_tail = z * z * polynomial(z, &COS_TAIL) - (0.5 * z_low + r.hi * r.lo);
+    let cos_tail = z * z * polynomial(z, &COS_TAIL) - cos_small;
     (sin, fast_two_sum(cos.hi, cos.lo + cos_tail))
 }
 
@@ -63,7 +77,7 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     let quadrant = shifted.to_bits();
     let r = two_difference(x - k * HALF_PI[0], k * HALF_PI[1]);
     let r = DoubleDouble { hi: r.hi, lo: r.lo - k * HALF_PI[2] };
-    let (sin, cos) = sin_cos_reduced(r);
+    let (sin, cos) = sin_cos_reduced(r, Digits::More);
     let odd = quadrant.has(1);
     let sin_sign = select(quadrant.has(2), -1.0, 1.0);
     let cos_sign = select(quadrant.wrapping_add(1).has(2), -1.0, 1.0);
@@ -75,18 +89,25 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
 
 /// `sin x` and `cos x` for x in [0, π], as `sin_cos_extended`.
 ///
-/// The differences to π/2 and π are exact, and the left of the half-turn is the mirror image.
-#[inline(always)]
-pub(crate) fn sin_cos_upper(x: Number) -> (DoubleDouble, DoubleDouble) {
-    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+/// The left of the half-turn is the mirror image, and the steep half of what is left that of the other.
+/// The differences to π and π/2 are exact where they are kept; their small parts stay apart, for
+/// nothing here is less than them but 0.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+pub(crate) fn sin_cos_upper(x: Number, digits: Digits) -> (DoubleDouble, DoubleDouble) {
+    use core::f64::consts::{FRAC_PI_2, PI};
     const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
-    let (upright, left) = (x.is_above(FRAC_PI_4), x.is_above(3.0 * FRAC_PI_4));
-    let rest = select(left, 2.0 * FRAC_PI_2_LO, select(upright, -FRAC_PI_2_LO, 0.0));
-    let r = select(left, PI - x, x - select(upright, FRAC_PI_2, 0.0));
-    let (sin, cos) = sin_cos_reduced(fast_two_sum(r, rest));
-    let turned = upright & x.is_at_most(3.0 * FRAC_PI_4);
-    let across = DoubleDouble::select(turned, sin, cos);
-    (DoubleDouble::select(turned, cos, sin), DoubleDouble::select(upright, across.neg(), across))
+    let mirrored = PI - x;
+    let right = x.is_below(mirrored);
+    let y = select(right, x, mirrored);
+    let y_lo = select(right, 0.0, 2.0 * FRAC_PI_2_LO);
+    let across = FRAC_PI_2 - y;
+    let steep = across.is_below(y);
+    let r =
+        DoubleDouble { hi: select(steep, across, y), lo: select(steep, FRAC_PI_2_LO - y_lo, y_lo) };
+    let (sin, cos) = sin_cos_reduced(r, digits);
+    let along = DoubleDouble::select(steep, sin, cos);
+    (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(right, along, along.neg()))
 }
 
 /// Whether the functions of this file take `x`: |x| ≤ 2π.
