@@ -45,9 +45,9 @@ impl Launch {
     #[inline(always)]
     fn elevation(&self, alpha: Number, drag: &Quotients) -> Number {
         let (loss, whole) = drag.loss();
-        let rise = self.sin.times(loss);
-        let divisor = whole.sub_smaller(rise.times(self.sin));
-        let lifted = rise.scale(LIFT).times(self.cos).div(divisor);
+        let lifted = self.lifted().times(loss);
+        let divisor = whole.sub_smaller(lifted.times(self.sin).scale(1.0 / LIFT));
+        let lifted = lifted.times(self.cos).div(divisor);
         let tau = lifted.scale(1.0 / LIFT);
         let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo * (1.0 - tau.hi * tau.hi) + atan_bend(tau.hi)))
