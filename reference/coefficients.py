@@ -251,7 +251,7 @@ def principal_start():
     y, logarithm = y[abs(logarithm) > 1e-2], logarithm[abs(logarithm) > 1e-2]
     # w + ln w = ln z for the great ones, which expm1 would overflow
     w = np.array([float(mp.lambertw(mp.expm1(mp.mpf(x))).real) for x in logarithm])
-    return Start(y, w / logarithm, bearable_error(w), 6, 6)
+    return Start(y, w / logarithm, bearable_error(w), 7, 6)
 
 
 def lower_start():

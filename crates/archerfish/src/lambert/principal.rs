@@ -8,18 +8,27 @@ use super::super::real::{Number, Order, polynomial, select, sqrt};
 use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, principal_close, principal_near, square};
 use super::step::{correction, one_plus_corrected, rough_ln_1p};
 
-// principal_start: 0.71 of the error that can be borne: reference/coefficients.py principal_start
-const PRINCIPAL_START_TOP: [f64; 7] = [
-    2.182445913,
-    -0.6926899294,
-    0.6319232714,
-    0.1810794226,
-    -0.1143861153,
-    0.08640905067,
-    0.002702248891,
+// principal_start: 0.09 of the error that can be borne: reference/coefficients.py principal_start
+const PRINCIPAL_START_TOP: [f64; 8] = [
+    2.179748376,
+    -0.2294353813,
+    0.7652975496,
+    -0.2540921441,
+    0.3593788241,
+    -0.104256673,
+    0.03504858493,
+    0.00612627332,
 ];
-const PRINCIPAL_START_BOTTOM: [f64; 7] =
-    [1.0, 1.557135272, -0.3108733476, 0.4552285208, -0.08368753555, 0.08631712523, 0.002703715954];
+const PRINCIPAL_START_BOTTOM: [f64; 8] = [
+    1.0,
+    1.744127204,
+    0.2954763167,
+    -0.05067542236,
+    0.3079657516,
+    -0.0607962086,
+    0.0353382365,
+    0.006124732064,
+];
 
 /// −ln(1 − 1/e)
 const END: f64 = 0.45867514538708193;

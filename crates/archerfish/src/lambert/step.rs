@@ -76,7 +76,7 @@ fn residual(lifted: Number, w: Number, lift: f64) -> Number {
     let scaled = lifted * power_of_shifted(shifted, -lift);
     let product = two_product(scaled, linear.hi);
     // both sums are exact, of nearly equal numbers
-    ((product.hi - w) + scaled * ((linear.lo - r.lo) + tail)) + product.lo
+    ((product.hi - w) + scaled * ((linear.lo - r.lo * linear.hi) + tail)) + product.lo
 }
 
 /// Δ, so that w + Δ is Lambert W of z; w is within a twentieth of that, and 2^lift z is given.
@@ -105,14 +105,14 @@ pub(super) fn one_plus_corrected(z: DoubleDouble, w: Number, lift: f64) -> Numbe
     sum.hi + (sum.lo + step.of(r))
 }
 
-/// `ln w` of a positive normal number, to 2⁻²² of itself.
+/// `ln w` of a positive normal number, to 2⁻¹⁷ of itself.
 #[inline(always)]
 pub(super) fn rough_ln(w: Number) -> Number {
     let (k, m) = exponent_and_significand(w);
     rough(k, m - 1.0)
 }
 
-/// `ln(1 + x)` for x > −1, to 2⁻²² of itself.
+/// `ln(1 + x)` for x > −1, to 2⁻¹⁷ of itself.
 #[inline(always)]
 pub(super) fn rough_ln_1p(x: Number) -> Number {
     let (k, m) = exponent_and_significand(1.0 + x);
