@@ -38,11 +38,17 @@ const THIRD: DoubleDouble = DoubleDouble::constant(0.3333333333333333, 1.8503717
 /// k ln 2/2 − τ for k = 1 and 2, where it would cancel: ln 2/2 − 1/3 and ln 2 − 3/5
 const FIRST_EXCESSES: [f64; 2] = [0.013240256946639321, 0.09314718055994531];
 
-/// `ρ(z)` for z up to 1/9, to 2⁻⁵⁸.
+/// `ρ(z) − 1/3` for z up to 1/9.
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn ratio_excess(z: Number) -> Number {
+    z * polynomial(z, &ARTANH_TAIL)
+}
+
+/// `ρ(z)` for z up to 1/9, to 2⁻⁵⁸.
+#[inline(always)]
 fn ratio_of_square(z: Number) -> DoubleDouble {
-    let sum = fast_two_sum(THIRD.hi, z * polynomial(z, &ARTANH_TAIL));
+    let sum = fast_two_sum(THIRD.hi, ratio_excess(z));
     DoubleDouble { hi: sum.hi, lo: sum.lo + THIRD.lo }
 }
 
@@ -83,7 +89,7 @@ impl Drag {
         let inverse = 1.0 / (product * d_square);
         // here, while both divisions are under way (bench/NOTES.md, "Order")
         let z = s * s;
-        let rho = ratio_of_square(z).round();
+        let rho = THIRD.hi + ratio_excess(z);
         let (w, i) = (d_square * inverse, product * inverse);
         let sigma = select(direct, s, c * (d * w));
         let sigma_rest = select(direct, 1.0 - s, 2.0 * p * (c * w));
@@ -145,7 +151,7 @@ impl Quotients {
         let (whole, whole_rest) = (k * LN2_HI, k * LN2_LO);
 
         let z = s * s;
-        let rho = ratio_of_square(z).round();
+        let rho = THIRD.hi + ratio_excess(z);
         let a = (s * (1.0 - s)) * rho;
         let twice = s + s;
         let sum = fast_two_sum(whole, twice);
