@@ -71,31 +71,31 @@ macro_rules! each {
 }
 pub(crate) use each;
 
-/// Defines `twins`, a loop over blocks. With an ordinary kernel that one goes first, and blocks where it
-/// declines an element go through the whole one.
+/// Defines `$twins`, a loop over blocks of so many elements. With an ordinary kernel that one goes first,
+/// and blocks where it declines an element go through the whole one.
 macro_rules! twins {
-    ($module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
-        $crate::dispatch::twins!(@ whole = $module::$kernel, $($x),+);
-        $crate::dispatch::twins!(@ twins = $module::$ordinary, $($x),+ => |k, out| {
+    ($twins:ident, $whole:ident, $features:literal, $block:expr;
+     $module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
+        $crate::dispatch::twins!(@ $whole, $features, $block; $module::$kernel, $($x),+);
+        $crate::dispatch::twins!(@ $twins, $features, $block; $module::$ordinary, $($x),+ => |k, out| {
             // (a loop to the end: `any` leaves it early, and is not vectorised)
             let declined = out[k].iter().fold(false, |declined, y| declined | (*y == f64::INFINITY));
             if declined {
-                whole($(&$x[k..=k],)+ &mut out[k..=k]);
+                $whole($(&$x[k..=k],)+ &mut out[k..=k]);
             }
         });
     };
-    ($module:ident::$kernel:ident, $($x:ident),+) => {
-        $crate::dispatch::twins!(@ twins = $module::$kernel, $($x),+);
+    ($twins:ident, $whole:ident, $features:literal, $block:expr;
+     $module:ident::$kernel:ident, $($x:ident),+) => {
+        $crate::dispatch::twins!(@ $twins, $features, $block; $module::$kernel, $($x),+);
     };
-    (@ $name:ident = $module:ident::$kernel:ident, $($x:ident),+ $(=> |$k:ident, $done:ident| $then:block)?) => {
+    (@ $name:ident, $features:literal, $block:expr; $module:ident::$kernel:ident, $($x:ident),+
+     $(=> |$k:ident, $done:ident| $then:block)?) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
-        #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-        fn $name(
-            $($x: &[[f64; $crate::twins::BLOCK]],)+
-            out: &mut [[f64; $crate::twins::BLOCK]],
-        ) {
-            const HALF: usize = $crate::twins::BLOCK / 2;
+        #[target_feature(enable = $features)]
+        fn $name($($x: &[[f64; $block]],)+ out: &mut [[f64; $block]]) {
+            const HALF: usize = $block / 2;
             let n = out.len();
             $(let $x = &$x[..n];)+
             for k in 0..n {
@@ -116,14 +116,14 @@ macro_rules! twins {
 }
 pub(crate) use twins;
 
-/// Fills whole blocks by `twins`, if there are some, and leaves the rest of the slices.
+/// Fills whole blocks by `$twins`, if there are some, and leaves the rest of the slices.
 macro_rules! blocks {
-    ($($x:ident),+ => $out:ident) => {
+    ($twins:ident, $block:expr; $($x:ident),+ => $out:ident) => {
         let n = $out.len();
-        let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $crate::twins::BLOCK };
+        let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $block };
         $(let $x = $x.split_at(whole);)+
         let (blocks, $out) = $out.split_at_mut(whole);
-        twins($($x.0.as_chunks().0,)+ blocks.as_chunks_mut().0);
+        $twins($($x.0.as_chunks().0,)+ blocks.as_chunks_mut().0);
         $(let $x = $x.1;)+
     };
 }
@@ -148,16 +148,32 @@ macro_rules! batch {
                 fused($($x,)+ out)
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!($module::$kernel $(or $ordinary)?, $($x),+);
+            $crate::dispatch::twins!(
+                twins_avx2, whole_avx2, "avx2,fma", $crate::twins::AVX2_BLOCK;
+                $module::$kernel $(or $ordinary)?, $($x),+
+            );
+            #[cfg(target_arch = "x86_64")]
+            $crate::dispatch::twins!(
+                twins_avx512, whole_avx512, "avx512f,avx512dq,avx512vl,fma",
+                $crate::twins::AVX512_BLOCK;
+                $module::$kernel $(or $ordinary)?, $($x),+
+            );
             match $crate::dispatch::isa() {
                 $crate::dispatch::Isa::Baseline => body($($x,)+ out),
                 // SAFETY: `isa` returns a set only after finding it on this machine.
                 #[cfg(target_arch = "x86_64")]
-                $crate::dispatch::Isa::Avx2 => unsafe { avx2($($x,)+ out) },
+                $crate::dispatch::Isa::Avx2 => unsafe {
+                    $crate::dispatch::blocks!(
+                        twins_avx2, $crate::twins::AVX2_BLOCK; $($x),+ => out
+                    );
+                    avx2($($x,)+ out)
+                },
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
                 $crate::dispatch::Isa::Avx512 => unsafe {
-                    $crate::dispatch::blocks!($($x),+ => out);
+                    $crate::dispatch::blocks!(
+                        twins_avx512, $crate::twins::AVX512_BLOCK; $($x),+ => out
+                    );
                     avx512($($x,)+ out)
                 },
             }

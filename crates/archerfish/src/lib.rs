@@ -34,7 +34,7 @@ mod twin;
 mod twins;
 
 /// What the kernels compute with: a double. (They are compiled for two doubles at once as well: `pairs`
-/// in a browser, `twins` for AVX-512.)
+/// in a browser, `twins` for AVX2 and AVX-512.)
 pub type Number = f64;
 /// What a comparison of numbers gives.
 type Mask = bool;

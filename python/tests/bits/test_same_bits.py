@@ -81,8 +81,8 @@ def test_instruction_sets_agree(folder, baseline, isa):
 
 @pytest.mark.parametrize("name", UFUNCS)
 def test_company_makes_no_difference(name):
-    """Alone, an element goes by another road than in blocks of its like (AVX-512)."""
-    block, short = 32, 200  # crates/archerfish/src/twins.rs: BLOCK, and less than SHORT
+    """Alone, an element goes by another road than in blocks of its like (with AVX)."""
+    block, short = 32, 200  # crates/archerfish/src/twins.rs: AVX512_BLOCK, and less than SHORT
     inputs = columns(name)[:, : COUNT // 3 // short * short]
     function = getattr(archerfish, name)
     with np.errstate(all="ignore"):
