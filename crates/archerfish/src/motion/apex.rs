@@ -3,7 +3,7 @@
 use super::super::real::double_double::{fast_two_difference, fast_two_sum};
 use super::super::real::{Logarithm, Number, Order, atan_bend, select};
 use super::drag::Quotients;
-use super::launch::{LIFT, Launch, within_domain};
+use super::launch::{LIFT, Launch, is_within, within_domain};
 
 impl Launch {
     /// `x = sin α cos α / q`
@@ -62,7 +62,8 @@ pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let drag = Quotients::at(launch.u.hi);
     let sin2 = launch.sin.squared();
     (
-        within_domain(alpha, eps, launch.x()),
+        // (which is NaN without a word where ε is infinite or NaN)
+        select(is_within(alpha, eps), launch.x(), f64::NAN),
         within_domain(alpha, eps, launch.y(&drag)),
         within_domain(alpha, eps, launch.elevation(alpha, &drag)),
         within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),

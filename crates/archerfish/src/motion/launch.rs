@@ -61,15 +61,20 @@ impl Launch {
     }
 }
 
-/// Whether the functions of this module take the angle and the drag parameter.
+/// Whether neither is below what the functions of this module take, nor the angle above.
 #[inline(always)]
-pub(crate) fn in_domain(angle: Number, epsilon: Number) -> Mask {
+pub(crate) fn is_within(angle: Number, epsilon: Number) -> Mask {
     // the mirrored angle is below 0 beyond π; and a NaN stays
     let mirrored = core::f64::consts::PI - angle;
     let least = select(angle.is_below(mirrored), angle, mirrored);
-    let least = select(epsilon.is_below(least), epsilon, least);
+    select(epsilon.is_below(least), epsilon, least).is_at_least(0.0)
+}
+
+/// Whether the functions of this module take the angle and the drag parameter.
+#[inline(always)]
+pub(crate) fn in_domain(angle: Number, epsilon: Number) -> Mask {
     // not `< INFINITY`: that comparison the compiler makes a test of bits, in five instructions
-    least.is_at_least(0.0) & epsilon.is_at_most(f64::MAX)
+    is_within(angle, epsilon) & epsilon.is_at_most(f64::MAX)
 }
 
 /// `value` where the angle and the drag parameter are in the domain, else NaN.
