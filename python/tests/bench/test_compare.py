@@ -33,9 +33,12 @@ def test_bars_that_are_missed_are_told():
     record["about"]["instruction_set"] = "avx512"
     record["speed"]["lambertw0: archerfish"]["logarithms"] = 4.01
     record["calls"]["apex_y"], record["starts"]["import archerfish"] = 1.51, 1.29
+    record["threads"] |= {"apex_y": 1.79, "lambertw0": 1.8}
     told = "\n".join(compare.missed(record))
     assert "lambertw0, in logarithms: 4.01, at most 4" in told
     assert "call on one element, apex_y, in np.arctan2's: 1.51, at most 1.5" in told
+    assert "two threads, apex_y: 1.79 times as fast, at least 1.8" in told
+    assert "two threads, lambertw0" not in told
     assert "import" not in told
 
 
