@@ -79,17 +79,10 @@ def test_instruction_sets_agree(folder, baseline, isa):
     assert natively(folder, isa) == baseline
 
 
-@pytest.mark.parametrize("name", UFUNCS)
-def test_company_makes_no_difference(name):
-    """Alone, an element goes by another road than in blocks of its like (with AVX)."""
-    block, short = 32, 200  # crates/archerfish/src/twins.rs: AVX512_BLOCK, and less than SHORT
-    inputs = columns(name)[:, : COUNT // 3 // short * short]
-    function = getattr(archerfish, name)
-    with np.errstate(all="ignore"):
-        alone = [function(*part.T) for part in np.split(inputs.T, inputs.shape[1] // short)]
-        in_blocks = function(*np.repeat(inputs, block, axis=1)).reshape(-1, block)
-    expected = np.repeat(np.concatenate(alone)[:, None], block, axis=1)
-    assert np.array_equal(in_blocks.view("u8"), expected.view("u8"))
+@pytest.mark.parametrize("isa", AVAILABLE)
+def test_company_makes_no_difference(folder, isa):
+    answer = printed([sys.executable, HERE / "company.py", folder], ARCHERFISH_ISA=isa)
+    assert answer == {"isa": isa, "compared": len(UFUNCS), "differing": []}
 
 
 def test_typescript_knows_every_function():

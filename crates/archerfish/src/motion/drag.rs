@@ -135,13 +135,12 @@ impl Quotients {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(u: Number) -> Self {
-        const TWICE_BIAS: u64 = 2046 << 52;
-        const ONE: u64 = 1 << 52;
+        const TWICE_BIAS_AND_ONE: u64 = 2047 << 52;
         let (k, (power, _)) = power_and_inverse(1.0 + u);
         let near = k.equals(0.0);
         // by way of 2¹⁻ᵏ, for p itself may be subnormal
-        let p =
-            0.25 * Number::from_bits(Integer::from(TWICE_BIAS + ONE).wrapping_sub(power.to_bits()));
+        let p = 0.25
+            * Number::from_bits(Integer::from(TWICE_BIAS_AND_ONE).wrapping_sub(power.to_bits()));
         // exact, as 2ᵏ − 1 ≤ u < 2ᵏ⁺¹ − 1; half of what follows 1 in the significand
         let f = (u - (power - 1.0)) * p;
         let s = f / (1.0 + f);
