@@ -58,8 +58,8 @@ def exp_tail(x):
 
 
 def residual_tail(r):
-    """(e^(−r) − 1 + r) / r²."""
-    return taylor_near_zero(
+    """E (e^(−r) − 1 + r) / r², E being the double nearest e."""
+    return mp.mpf(float(mp.e)) * taylor_near_zero(
         lambda t: (mp.expm1(-t) + t) / t**2, lambda k: (-1) ** k / mp.factorial(k + 2)
     )(r)
 
@@ -152,21 +152,19 @@ TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
-    "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 9, lambda r: r * r),
+    "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "log1pmx_tail": Fit(twice_atanh_excess, 0, mp.mpf("0.0401"), 7, mp.sqrt),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
-    "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 5, one),
+    "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 4, one),
     "aim_exp_tail": Fit(aim_exp_tail, -HALF_LN2, HALF_LN2, 5, lambda r: abs(r) ** 3),
     "aim_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 3, one),
     "fall_tail": Fit(fall_tail, 0, mp.mpf("0.7001"), 9, lambda w: w * w),
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
-    "principal_close_tail": Fit(branch_tail(0), 0, mp.mpf("0.2001"), 8, lambda p: abs(p) ** 3),
-    "lower_close_tail": Fit(branch_tail(-1), mp.mpf("-0.2001"), 0, 8, lambda p: abs(p) ** 3),
     "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 9, lambda z: z),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
@@ -224,7 +222,10 @@ class Start(NamedTuple):
     """Samples of a variable y, the function there, and the relative error that can be borne.
 
     The fit is done in y/(1 + y), or 1/(1 + y), which makes a long interval short; the coefficients
-    are of powers of y, or where `compressed` of 1/(1 + y).
+    are of powers of y, or where `compressed` of 1/(1 + y). A function that grows like y is `growing`:
+    its numerator is to be one degree above its denominator. The first coefficient of the denominator
+    is 1, or where `monic` the last, and a product less is to be computed; `at_zero` is a value at
+    y = 0 that is to be met to the last digit.
     """
 
     variable: Any
@@ -234,32 +235,39 @@ class Start(NamedTuple):
     denominator_degree: int
     compressed: bool = False
     iterations: int = 800
+    growing: bool = False
+    monic: bool = False
+    at_zero: float | None = None
 
 
-def bearable_error(w):
-    """Relative error of w that one step (lambert/step.rs) brings to 2⁻⁵³, with its fourth power."""
-    i = 1 / (1 + w)
+def bearable_error(v):
+    """Relative error of w = v − 1 that one step (lambert/step.rs) brings to 2⁻⁵³, with its fourth power."""
+    i, w = 1 / v, v - 1
     a, b, c = (1 + w / 2) * i, (1 / 2 + w / 6) * i, (1 / 6 + w / 24) * i
     return (2.0**-53 * abs(w) / abs(5 * a**3 - 5 * a * b + c)) ** 0.25 / abs(w)
 
 
 def principal_start():
-    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e)), for z ≥ −0.3606."""
-    end = -np.log(1 - 1 / np.e)
-    y = np.concatenate([np.linspace(0.105, 3, 2500), np.linspace(3, np.sqrt(709.79 + end), 2500)])
-    logarithm = y * y - end
-    y, logarithm = y[abs(logarithm) > 1e-2], logarithm[abs(logarithm) > 1e-2]
-    # w + ln w = ln z for the great ones, which expm1 would overflow
-    w = np.array([float(mp.lambertw(mp.expm1(mp.mpf(x))).real) for x in logarithm])
-    return Start(y, w / logarithm, bearable_error(w), 7, 6)
+    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e))."""
+    end = -mp.log(1 - 1 / mp.e)
+    y = [np.geomspace(1e-7, 0.1, 800), np.linspace(0.1, 3, 2500), np.linspace(3, 26.651, 2500)]
+    y = [mp.mpf(x) for x in np.concatenate(y) if abs(x * x - end) > 1e-2]
+    logarithm = [x * x - end for x in y]
+    w = [mp.lambertw(mp.expm1(x)).real for x in logarithm]
+    ratio = np.array([float(a / b) for a, b in zip(w, logarithm)])
+    bearable = bearable_error(np.array([float(1 + x) for x in w]))
+    y = np.array(y, dtype=float)
+    return Start(y, ratio, bearable, 7, 7, iterations=1500, monic=True, at_zero=float(1 / end))
 
 
 def lower_start():
-    """(−1 − W₋₁(z))/η as a function of η = √(2(−1 − ln(−z))), for z ≥ −0.3606."""
-    w = -np.concatenate([np.linspace(1.2, 4, 1500), np.geomspace(4, 752, 1500)])
-    eta = np.sqrt(2 * (-w - np.log(-w) - 1))
-    # the error of 1 + ηR is ηR/w of that of R
-    return Start(eta, (-1 - w) / eta, bearable_error(w) * w / (1 + w), 4, 3)
+    """(1 + W₋₁(z))/η as a function of η = √(−1 − ln(−z))."""
+    v = np.concatenate([np.geomspace(1e-7, 0.2, 800), np.linspace(0.2, 3, 1500)])
+    v = np.concatenate([v, np.geomspace(3, 751, 1500)])
+    eta = np.array([float(mp.sqrt(x - mp.log1p(x))) for x in map(mp.mpf, v)])
+    # the error of v is that of W
+    bearable = bearable_error(-v) * (1 + v) / v
+    return Start(eta, -v / eta, bearable, 4, 3, iterations=2500, growing=True, monic=True)
 
 
 def gain(u):
@@ -337,16 +345,17 @@ def lawson(start):
     """Numerator and denominator in the variable, lowest degree first, and the greatest error."""
     y, m, n = start.variable, start.numerator_degree, start.denominator_degree
     x = 1 / (1 + y) if start.compressed else y / (1 + y)
+    function = start.function / (1 + y) if start.growing else start.function
     low, high = x.min(), x.max()
     basis = np.polynomial.chebyshev.chebvander(2 * (x - low) / (high - low) - 1, max(m, n))
-    weight = 1 / start.bearable / abs(start.function)
+    weight = 1 / start.bearable / abs(function)
     lawson_weight, bottom, best = np.ones_like(x), np.ones_like(x), (np.inf, None)
     for _ in range(start.iterations):
-        rows = np.hstack([basis[:, : m + 1], -start.function[:, None] * basis[:, 1 : n + 1]])
+        rows = np.hstack([basis[:, : m + 1], -function[:, None] * basis[:, 1 : n + 1]])
         scale = np.sqrt(lawson_weight) * weight / abs(bottom)
-        solution, *_ = np.linalg.lstsq(rows * scale[:, None], start.function * scale, rcond=None)
+        solution, *_ = np.linalg.lstsq(rows * scale[:, None], function * scale, rcond=None)
         bottom = 1 + basis[:, 1 : n + 1] @ solution[m + 1 :]
-        errors = abs(basis[:, : m + 1] @ solution[: m + 1] / bottom - start.function) * weight
+        errors = abs(basis[:, : m + 1] @ solution[: m + 1] / bottom - function) * weight
         if errors.max() < best[0]:
             best = (errors.max(), solution)
         lawson_weight *= errors / errors.mean() + 1e-3
@@ -362,7 +371,14 @@ def lawson(start):
         return sum(c * y**k * (y + 1) ** (degree - k) for k, c in enumerate(in_x)).coef
 
     top, bottom = in_variable(best[1][: m + 1]), in_variable(np.append(1, best[1][m + 1 :]))
-    return [[float(f"{c:.10g}") for c in part / bottom[0]] for part in (top, bottom)] + [best[0]]
+    if start.growing:
+        # the fit is of a denominator with one factor 1 + y more
+        bottom = np.polynomial.polynomial.polydiv(bottom, [1, 1])[0]
+    scale = bottom[-1] if start.monic else bottom[0]
+    top, bottom = ([float(f"{c:.10g}") for c in part / scale] for part in (top, bottom))
+    if start.at_zero is not None:
+        top[0] = bottom[0] * start.at_zero
+    return top, bottom, best[0]
 
 
 def rough_gain_slope():

@@ -45,32 +45,6 @@ const LOWER_TAIL: [f64; 16] = [
     -0.01280549488434036,
     -0.00426457336092254,
 ];
-// principal_close_tail: minimax on [0.0, 0.2001], degree 8,
-// weighted error 7.79e-19: reference/coefficients.py principal_close_tail
-const PRINCIPAL_CLOSE_TAIL: [f64; 9] = [
-    0.15277777777635124,
-    -0.07962962947732126,
-    0.044502308147112445,
-    -0.02598455518269656,
-    0.015633296380067645,
-    -0.009594987927175157,
-    0.005881198556654492,
-    -0.0032929685042583155,
-    0.0012196509634809579,
-];
-// lower_close_tail: minimax on [-0.2001, 0.0], degree 8,
-// weighted error 3.7e-18: reference/coefficients.py lower_close_tail
-const LOWER_CLOSE_TAIL: [f64; 9] = [
-    0.15277777778451707,
-    -0.07962962892779533,
-    0.04450234466768368,
-    -0.025984024342471483,
-    0.015645297503840194,
-    -0.0095315249601162,
-    0.006490822014859727,
-    -0.0022058820191658227,
-    0.005297550749907034,
-];
 
 /// 1/e. The nearest double is greater: what counts as the branch point lies just outside.
 pub(super) const INVERSE_E: DoubleDouble =
@@ -79,10 +53,8 @@ const TWO_E: DoubleDouble = DoubleDouble::constant(5.43656365691809, 2.891293783
 const MINUS_THIRD: DoubleDouble =
     DoubleDouble::constant(-0.3333333333333333, -1.850371707708594e-17);
 
-/// Offsets up to which the series serve for 1 + W: |p| < 1/2.
+/// Offsets up to which the series serve: |p| < 1/2.
 pub(super) const NEAR: f64 = 0.045984;
-/// Offsets up to which they serve for W, in ordinary arithmetic: |p| < 1/5.
-pub(super) const CLOSE: f64 = 0.0073576;
 
 /// `√(2eδ)`; 0 for δ ≤ 0.
 #[inline(always)]
@@ -125,22 +97,4 @@ pub(super) fn lower_near(offset: DoubleDouble) -> DoubleDouble {
 pub(super) fn at_offset(offset: Number) -> DoubleDouble {
     let z = two_sum(offset, -INVERSE_E.hi);
     fast_two_sum(z.hi, z.lo - INVERSE_E.lo)
-}
-
-/// `2eδ`, which is p²; 0 for δ ≤ 0.
-#[inline(always)]
-pub(super) fn square(offset: Number) -> Number {
-    TWO_E.hi * select(offset.is_above(0.0), offset, 0.0)
-}
-
-/// W₀ by p in [0, 1/5].
-#[inline(always)]
-pub(super) fn principal_close(p: Number) -> Number {
-    (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &PRINCIPAL_CLOSE_TAIL))) - 1.0
-}
-
-/// W₋₁ by p in [−1/5, 0].
-#[inline(always)]
-pub(super) fn lower_close(p: Number) -> Number {
-    (p + p * p * (MINUS_THIRD.hi + p * polynomial(p, &LOWER_CLOSE_TAIL))) - 1.0
 }

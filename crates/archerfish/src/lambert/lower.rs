@@ -1,34 +1,30 @@
 //! The lower branch, W ≤ −1.
 //!
-//! Method: near the branch point its series; elsewhere −w₀ = 1 + η R(η), η = √(2(−1 − ln(−z))),
-//! which is smooth even at the branch point, and one step.
+//! Method: w₀ = −1 + η R(η), η = √(−1 − ln(−z)), which is smooth even at the branch point, and one
+//! step. 1 + W next to the branch point by its series.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{Number, Order, polynomial, select, sqrt};
-use super::branch::{CLOSE, INVERSE_E, NEAR, at_offset, lower_close, lower_near, square};
-use super::step::{correction, one_plus_corrected, rough_ln};
+use super::super::real::{Number, Order, polynomial_by, select, sqrt, times_power};
+use super::branch::{INVERSE_E, NEAR, at_offset, lower_near};
+use super::start::lower_logarithm;
+use super::step::{corrected, one_plus_corrected};
 
-// lower_start: 0.35 of the error that can be borne: reference/coefficients.py lower_start
+// lower_start: 0.04 of the error that can be borne: reference/coefficients.py lower_start
 const LOWER_START_TOP: [f64; 5] =
-    [0.9995551148, 1.535071764, 0.6231421455, 0.09941005262, 0.0002127198227];
-const LOWER_START_BOTTOM: [f64; 5] =
-    [1.0, 1.199183553, 0.1995972682, 0.0004137939309, 7.849663027e-08];
+    [-162.9876242, -202.3218366, -96.82528763, -20.35772808, -0.9998057314];
+const LOWER_START_BOTTOM: [f64; 4] = [115.2514689, 88.70729572, 20.32112868, 1.0];
 
-/// z is as small as 2⁻¹⁰⁷⁴ where e^{−w} is as great as 2¹⁰⁸⁵: it is taken 2⁶⁴ times as large.
+/// z is as small as 2⁻¹⁰⁷⁴ where e^{−w} is as great as 2¹⁰⁸⁵: it is taken −2⁶⁴ times as large.
 const LIFT: f64 = 64.0;
-const LIFTED: f64 = 18446744073709551616.0;
+const LIFTED: f64 = -18446744073709551616.0;
 
-/// η², given 2⁶⁴ z for z in [−0.3606, −5e-324], to few digits; below zero for a positive z.
+/// W₋₁ to few digits, given −2⁶⁴ z for z in [−1/e, −5e-324], and z + 1/e.
 #[inline(always)]
-fn eta_square(lifted: Number) -> Number {
-    -2.0 * (rough_ln(-lifted) - (LIFT * core::f64::consts::LN_2 - 1.0))
-}
-
-/// W₋₁ to few digits, given η.
-#[inline(always)]
-fn start(eta: Number) -> Number {
-    let quotient = polynomial(eta, &LOWER_START_TOP) / polynomial(eta, &LOWER_START_BOTTOM);
-    -1.0 - eta * quotient
+fn start(lifted: Number, offset: Number) -> Number {
+    let square = lower_logarithm(lifted, LIFT, offset);
+    let eta = sqrt(square);
+    let top = polynomial_by(eta, square, &LOWER_START_TOP);
+    eta * (top / polynomial_by(eta, square, &LOWER_START_BOTTOM)) - 1.0
 }
 
 /// Lambert W on the lower branch, W₋₁(z): the w ≤ −1 with `w eʷ = z`.
@@ -38,17 +34,12 @@ fn start(eta: Number) -> Number {
 #[inline(always)]
 pub fn lambertwm1(z: Number) -> Number {
     let lifted = z * LIFTED;
-    let offset = (z + INVERSE_E.hi) + INVERSE_E.lo;
-    let close = offset.is_below(CLOSE);
-    // one square root for −p or η; NaN for z > 0
-    let root = sqrt(select(close, square(offset), eta_square(lifted)));
-    let w = start(root);
-    // here, while the division of the start is under way (bench/NOTES.md, "Order")
-    let near = lower_close(-root);
-    let far = w + correction(lifted, w, LIFT);
-    let regular = select(close, near, far);
+    let w = start(lifted, (z + INVERSE_E.hi) + INVERSE_E.lo);
+    let regular =
+        corrected(w, 1.0 + w, |shifted| lifted * times_power(Number::from(1.0 / LIFTED), shifted));
     let regular = select(z.equals(0.0), f64::NEG_INFINITY, regular);
-    select(z.is_at_least(-INVERSE_E.hi), regular, f64::NAN)
+    // below and above its domain, and at the branch point, the root is that of a negative number
+    select(regular.is_nan(), select(z.equals(-INVERSE_E.hi), -1.0, f64::NAN), regular)
 }
 
 /// `1 + W₋₁(−1/e + d)`, exact in d: like −√(2ed) for small d.
@@ -57,7 +48,7 @@ pub fn lambertwm1(z: Number) -> Number {
 #[inline(always)]
 pub fn lambertwm1_offset(d: Number) -> Number {
     let z = at_offset(d);
-    let w = start(sqrt(eta_square(z.hi * LIFTED)));
+    let w = start(z.hi * LIFTED, d);
     let near = lower_near(DoubleDouble::from(d));
     let far = one_plus_corrected(z, w, LIFT);
     let regular = select(d.is_below(NEAR), near.round(), far);

@@ -8,6 +8,7 @@
 mod branch;
 mod lower;
 mod principal;
+mod start;
 mod step;
 
 pub use lower::{lambertwm1, lambertwm1_offset};

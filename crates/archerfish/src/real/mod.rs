@@ -31,7 +31,7 @@ pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 #[allow(unused_imports, reason = "blocks of twins alone ask")]
 pub(crate) use log1pmx::log1pmx_ordinary;
-pub(crate) use polynomial::polynomial;
+pub(crate) use polynomial::{polynomial, polynomial_by};
 pub(crate) use trigonometric::{Digits, sin_cos_extended, sin_cos_upper};
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
@@ -47,11 +47,10 @@ pub(crate) fn power_of_two(n: Number) -> Number {
     Number::from_bits((n + (MAGIC + 1023.0)).to_bits() << 52)
 }
 
-/// `2ⁿ⁺ᵐ`, given `MAGIC + n` and m; n + m in [−1022, 1023].
+/// `2ⁿ x` for a normal x, given `MAGIC + n`, where that is normal; NaN may become a number.
 #[inline(always)]
-pub(crate) fn power_of_shifted(shifted: Number, m: f64) -> Number {
-    let one = ((1023.0 + m) as u64) << 52;
-    Number::from_bits((shifted.to_bits() << 52).wrapping_add(one))
+pub(crate) fn times_power(x: Number, shifted: Number) -> Number {
+    Number::from_bits(x.to_bits().wrapping_add(shifted.to_bits() << 52))
 }
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer, which then also stands in
@@ -69,11 +68,10 @@ pub(crate) fn nearest_integer(x: Number) -> Number {
 pub(crate) fn exponent_and_significand(w: Number) -> (Number, Number) {
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     const ONE: u64 = 0x3ff0_0000_0000_0000;
-    const EXPONENT: u64 = 0xfff0_0000_0000_0000;
-    let bits = w.to_bits();
-    let shifted = bits.wrapping_add(ONE - SQRT_HALF);
+    const SIGNIFICAND: u64 = 0x000f_ffff_ffff_ffff;
+    let shifted = w.to_bits().wrapping_add(ONE - SQRT_HALF);
     let k = exponent_field(Number::from_bits(shifted));
-    let m = Number::from_bits(bits.wrapping_sub((shifted & EXPONENT).wrapping_sub(ONE)));
+    let m = Number::from_bits((shifted & SIGNIFICAND).wrapping_add(SQRT_HALF));
     (k, m)
 }
 

@@ -5,7 +5,16 @@ use super::Number;
 /// `Σ cₖ xᵏ`, as two interleaved Horner chains in x², half as long as one.
 #[inline(always)]
 pub(crate) fn polynomial<const N: usize>(x: Number, coefficients: &[f64; N]) -> Number {
-    let square = x * x;
+    polynomial_by(x, x * x, coefficients)
+}
+
+/// `polynomial`, given x² as well.
+#[inline(always)]
+pub(crate) fn polynomial_by<const N: usize>(
+    x: Number,
+    square: Number,
+    coefficients: &[f64; N],
+) -> Number {
     let top_even = (N - 1) / 2 * 2;
     let top_odd = if N.is_multiple_of(2) { N - 1 } else { N - 2 };
     let mut even = coefficient(coefficients, top_even);
