@@ -71,6 +71,29 @@ macro_rules! each {
 }
 pub(crate) use each;
 
+/// Whether an ordinary kernel declined one of these.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(crate) fn declined(values: &[f64]) -> bool {
+    // (a loop to the end: `any` leaves it early, and is not vectorised)
+    values.iter().fold(false, |declined, y| declined | (*y == f64::INFINITY))
+}
+
+/// Fills a slice by `$whole`; if there is an ordinary kernel, only where that one declines an element.
+macro_rules! short {
+    ($whole:ident; $($x:ident),+ => $out:ident) => {
+        $whole($($x,)+ $out)
+    };
+    ($whole:ident or $module:ident::$ordinary:ident; $($x:ident),+ => $out:ident) => {
+        $crate::dispatch::each!(ordinary, $crate::fused::$module::$ordinary, $($x),+);
+        ordinary($($x,)+ $out);
+        if $crate::dispatch::declined($out) {
+            $whole($($x,)+ $out)
+        }
+    };
+}
+pub(crate) use short;
+
 /// Defines `$twins`, a loop over blocks of so many elements. With an ordinary kernel that one goes first,
 /// and blocks where it declines an element go through the whole one.
 macro_rules! twins {
@@ -78,9 +101,7 @@ macro_rules! twins {
      $module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
         $crate::dispatch::twins!(@ $whole, $features, $block; $module::$kernel, $($x),+);
         $crate::dispatch::twins!(@ $twins, $features, $block; $module::$ordinary, $($x),+ => |k, out| {
-            // (a loop to the end: `any` leaves it early, and is not vectorised)
-            let declined = out[k].iter().fold(false, |declined, y| declined | (*y == f64::INFINITY));
-            if declined {
+            if $crate::dispatch::declined(&out[k]) {
                 $whole($(&$x[k..=k],)+ &mut out[k..=k]);
             }
         });
@@ -140,12 +161,12 @@ macro_rules! batch {
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx2,fma")]
             fn avx2($($x: &[f64],)+ out: &mut [f64]) {
-                fused($($x,)+ out)
+                $crate::dispatch::short!(fused $(or $module::$ordinary)?; $($x),+ => out);
             }
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
             fn avx512($($x: &[f64],)+ out: &mut [f64]) {
-                fused($($x,)+ out)
+                $crate::dispatch::short!(fused $(or $module::$ordinary)?; $($x),+ => out);
             }
             #[cfg(target_arch = "x86_64")]
             $crate::dispatch::twins!(

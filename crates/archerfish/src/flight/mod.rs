@@ -23,7 +23,7 @@ mod relaxation;
 mod time;
 
 pub use aim::{aim_high, aim_low};
-#[allow(unused_imports, reason = "blocks of twins alone ask")]
+#[allow(unused_imports, reason = "dispatch alone asks")]
 pub(crate) use aim::{aim_high_ordinary, aim_low_ordinary};
 pub use envelope::envelope_height;
 pub use height::trajectory_height;

@@ -47,10 +47,9 @@ impl Launch {
         let (loss, whole) = drag.loss();
         let lifted = self.lifted().times(loss);
         let divisor = whole.sub_smaller(lifted.times(self.sin).scale(1.0 / LIFT));
-        let lifted = lifted.times(self.cos).div(divisor);
-        let tau = lifted.scale(1.0 / LIFT);
+        let tau = lifted.times(self.cos).div(divisor).scale(1.0 / LIFT);
         let sum = fast_two_difference(alpha, tau.hi);
-        sum.hi + (sum.lo - (tau.lo * (1.0 - tau.hi * tau.hi) + atan_bend(tau.hi)))
+        sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
     }
 }
 
