@@ -222,10 +222,10 @@ class Start(NamedTuple):
     """Samples of a variable y, the function there, and the relative error that can be borne.
 
     The fit is done in y/(1 + y), or 1/(1 + y), which makes a long interval short; the coefficients
-    are of powers of y, or where `compressed` of 1/(1 + y). A function that grows like y is `growing`:
-    its numerator is to be one degree above its denominator. The first coefficient of the denominator
-    is 1, or where `monic` the last, and a product less is to be computed; `at_zero` is a value at
-    y = 0 that is to be met to the last digit.
+    are of powers of y, or where `compressed` of 1/(1 + y). A function that grows like y is
+    `growing`: its numerator is to be one degree above its denominator. The first coefficient of
+    the denominator is 1, or where `monic` the last, which saves a product; `at_zero` is a value
+    at y = 0 that is to be met to the last digit.
     """
 
     variable: Any
@@ -241,7 +241,7 @@ class Start(NamedTuple):
 
 
 def bearable_error(v):
-    """Relative error of w = v − 1 that one step (lambert/step.rs) brings to 2⁻⁵³, with its fourth power."""
+    """Relative error of w = v − 1 whose fourth power one step (lambert/step.rs) brings to 2⁻⁵³."""
     i, w = 1 / v, v - 1
     a, b, c = (1 + w / 2) * i, (1 / 2 + w / 6) * i, (1 / 6 + w / 24) * i
     return (2.0**-53 * abs(w) / abs(5 * a**3 - 5 * a * b + c)) ** 0.25 / abs(w)
@@ -254,7 +254,7 @@ def principal_start():
     y = [mp.mpf(x) for x in np.concatenate(y) if abs(x * x - end) > 1e-2]
     logarithm = [x * x - end for x in y]
     w = [mp.lambertw(mp.expm1(x)).real for x in logarithm]
-    ratio = np.array([float(a / b) for a, b in zip(w, logarithm)])
+    ratio = np.array([float(a / b) for a, b in zip(w, logarithm, strict=True)])
     bearable = bearable_error(np.array([float(1 + x) for x in w]))
     y = np.array(y, dtype=float)
     return Start(y, ratio, bearable, 7, 7, iterations=1500, monic=True, at_zero=float(1 / end))

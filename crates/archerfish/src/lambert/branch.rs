@@ -1,8 +1,8 @@
-//! Both branches near their common point z = −1/e, W = −1.
+//! 1 + W on both branches near their common point z = −1/e, W = −1, to its own last digit.
 //!
 //! Method: with `p = ±√(2(1 + ez))`, + on the principal branch, 1 + W is the analytic function
-//! `v = p − p²/3 + 11p³/72 − …` of p. The offset δ = z + 1/e is what keeps the digits: it arrives
-//! as a sum of two doubles.
+//! `v = p − p²/3 + 11p³/72 − …` of p, carried in two doubles. The offset δ = z + 1/e is what keeps the
+//! digits.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use super::super::real::{Number, Order, polynomial, select};
