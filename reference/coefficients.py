@@ -222,10 +222,10 @@ class Start(NamedTuple):
     """Samples of a variable y, the function there, and the relative error that can be borne.
 
     The fit is done in y/(1 + y), or 1/(1 + y), which makes a long interval short; the coefficients
-    are of powers of y, or where `compressed` of 1/(1 + y). A function that grows like y is
-    `growing`: its numerator is to be one degree above its denominator. The first coefficient of
-    the denominator is 1, or where `monic` the last, which saves a product; `at_zero` is a value
-    at y = 0 that is to be met to the last digit.
+    are of powers of y, or where `compressed` of 1/(1 + y). A function of `growth` 1 grows like y,
+    and its numerator is to be one degree above its denominator; one of growth −1 falls so. The
+    first coefficient of the denominator is 1, or where `monic` the last, which saves a product;
+    `at_zero` is a value at y = 0 that is to be met to the last digit.
     """
 
     variable: Any
@@ -233,9 +233,9 @@ class Start(NamedTuple):
     bearable: Any
     numerator_degree: int
     denominator_degree: int
-    compressed: bool = False
     iterations: int = 800
-    growing: bool = False
+    compressed: bool = False
+    growth: int = 0
     monic: bool = False
     at_zero: float | None = None
 
@@ -248,16 +248,18 @@ def bearable_error(v):
 
 
 def principal_start():
-    """W₀(z)/ln(1+z) as a function of y = √(ln(1+z) − ln(1 − 1/e))."""
+    """W₀(z)/ln(1+z) − 1 as a function of y = √(ln(1+z) − ln(1 − 1/e))."""
     end = -mp.log(1 - 1 / mp.e)
     y = [np.geomspace(1e-7, 0.1, 800), np.linspace(0.1, 3, 2500), np.linspace(3, 26.651, 2500)]
     y = [mp.mpf(x) for x in np.concatenate(y) if abs(x * x - end) > 1e-2]
     logarithm = [x * x - end for x in y]
     w = [mp.lambertw(mp.expm1(x)).real for x in logarithm]
-    ratio = np.array([float(a / b) for a, b in zip(w, logarithm, strict=True)])
-    bearable = bearable_error(np.array([float(1 + x) for x in w]))
+    excess = np.array([float(a / b - 1) for a, b in zip(w, logarithm, strict=True)])
+    # the error of w is that of the excess, so many times as small
+    bearable = bearable_error(np.array([float(1 + x) for x in w])) * (1 + excess) / abs(excess)
+    at_zero = float(1 / end - 1)
     y = np.array(y, dtype=float)
-    return Start(y, ratio, bearable, 7, 7, iterations=1500, monic=True, at_zero=float(1 / end))
+    return Start(y, excess, bearable, 6, 6, 1500, growth=-1, monic=True, at_zero=at_zero)
 
 
 def lower_start():
@@ -267,7 +269,7 @@ def lower_start():
     eta = np.array([float(mp.sqrt(x - mp.log1p(x))) for x in map(mp.mpf, v)])
     # the error of v is that of W
     bearable = bearable_error(-v) * (1 + v) / v
-    return Start(eta, -v / eta, bearable, 4, 3, iterations=2500, growing=True, monic=True)
+    return Start(eta, -v / eta, bearable, 4, 3, iterations=2500, growth=1, monic=True)
 
 
 def gain(u):
@@ -345,7 +347,7 @@ def lawson(start):
     """Numerator and denominator in the variable, lowest degree first, and the greatest error."""
     y, m, n = start.variable, start.numerator_degree, start.denominator_degree
     x = 1 / (1 + y) if start.compressed else y / (1 + y)
-    function = start.function / (1 + y) if start.growing else start.function
+    function = start.function / (1.0 + y) ** start.growth
     low, high = x.min(), x.max()
     basis = np.polynomial.chebyshev.chebvander(2 * (x - low) / (high - low) - 1, max(m, n))
     weight = 1 / start.bearable / abs(function)
@@ -371,9 +373,11 @@ def lawson(start):
         return sum(c * y**k * (y + 1) ** (degree - k) for k, c in enumerate(in_x)).coef
 
     top, bottom = in_variable(best[1][: m + 1]), in_variable(np.append(1, best[1][m + 1 :]))
-    if start.growing:
-        # the fit is of a denominator with one factor 1 + y more
+    # the fit is of a denominator with one factor 1 + y more, or less
+    if start.growth > 0:
         bottom = np.polynomial.polynomial.polydiv(bottom, [1, 1])[0]
+    if start.growth < 0:
+        bottom = np.polynomial.polynomial.polymul(bottom, [1, 1])
     scale = bottom[-1] if start.monic else bottom[0]
     top, bottom = ([float(f"{c:.10g}") for c in part / scale] for part in (top, bottom))
     if start.at_zero is not None:

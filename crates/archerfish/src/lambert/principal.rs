@@ -1,6 +1,6 @@
 //! The principal branch, W ≥ −1.
 //!
-//! Method: w₀ = ln(1+z) R(y), y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point,
+//! Method: w₀ = ln(1+z) (1 + R(y)), y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point,
 //! and one step. 1 + W next to the branch point by its series.
 
 use super::super::real::double_double::DoubleDouble;
@@ -9,25 +9,24 @@ use super::branch::{INVERSE_E, NEAR, at_offset, principal_near};
 use super::start::principal_logarithms;
 use super::step::{corrected, one_plus_corrected};
 
-// principal_start: 0.07 of the error that can be borne: reference/coefficients.py principal_start
-const PRINCIPAL_START_TOP: [f64; 8] = [
-    435.44176484960485,
-    -117.8134755,
-    168.0277614,
-    -52.54764759,
-    51.7602205,
-    -11.47586098,
-    3.740788477,
-    1.000337509,
+// principal_start: 0.25 of the error that can be borne: reference/coefficients.py principal_start
+const PRINCIPAL_START_TOP: [f64; 7] = [
+    304.58852848150946,
+    -447.7719947,
+    -3.133592681,
+    13.99059586,
+    -14.77832944,
+    -8.231164637,
+    -0.02323499656,
 ];
 const PRINCIPAL_START_BOTTOM: [f64; 8] = [
-    199.7263148,
-    316.2147511,
-    -0.8954368194,
-    16.62049176,
-    36.55143384,
-    -4.770403798,
-    3.796275803,
+    258.0838223,
+    504.4391639,
+    139.4163163,
+    -4.996805384,
+    80.55241104,
+    -10.62345969,
+    11.76634919,
     1.0,
 ];
 
@@ -37,8 +36,9 @@ fn start(z: Number, offset: Number) -> Number {
     let (logarithm, square) = principal_logarithms(z, offset);
     let y = sqrt(square);
     let top = polynomial_by(y, square, &PRINCIPAL_START_TOP);
+    let excess = top / polynomial_by(y, square, &PRINCIPAL_START_BOTTOM);
     // no finer than 2⁻⁵¹
-    (3.0 + logarithm * (top / polynomial_by(y, square, &PRINCIPAL_START_BOTTOM))) - 2.0
+    ((3.0 + logarithm) + logarithm * excess) - 2.0
 }
 
 /// Lambert W on the principal branch, W₀(z): the w ≥ −1 with `w eʷ = z`.
@@ -48,10 +48,11 @@ fn start(z: Number, offset: Number) -> Number {
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 pub fn lambertw0(z: Number) -> Number {
     let above = start(z, (z + INVERSE_E.hi) + INVERSE_E.lo);
-    let regular = corrected(above - 1.0, above, |shifted| times_power(z, shifted));
-    // next to nothing its square tells, and −0 is where z is
+    // next to nothing its square tells, and −0 is where z is; here, while a division is under way
     let square = z * z;
-    let regular = select(square.is_below(1e-24), z - square, regular);
+    let next = z - square;
+    let regular = corrected(above - 1.0, above, |shifted| times_power(z, shifted));
+    let regular = select(square.is_below(1e-24), next, regular);
     // (`== ∞` the compiler makes a test of bits, in more instructions)
     let regular = select(z.is_above(f64::MAX), z, regular);
     let special = select(z.equals(-INVERSE_E.hi), -1.0, f64::NAN);
