@@ -1,6 +1,6 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
+use super::super::real::double_double::{fast_two_difference, fast_two_sum};
 use super::super::real::{Logarithm, Number, Order, atan_bend, select};
 use super::drag::Quotients;
 use super::launch::{LIFT, Launch, is_within, within_domain};
@@ -40,13 +40,6 @@ impl Launch {
         self.lifted().times(stretch.sqrt()).quotient(self.q()) * (1.0 / LIFT)
     }
 
-    /// sin²α and cos²α
-    #[inline(always)]
-    fn squares(&self) -> (DoubleDouble, DoubleDouble) {
-        let sin2 = self.sin.squared();
-        (sin2, sin2.complement())
-    }
-
     /// `θ = α − arctan τ`, `τ = (1 − G) sin α cos α / (1 − (1 − G) sin²α)`: equation (10), and τ² is at
     /// most 1/8
     #[inline(always)]
@@ -66,12 +59,13 @@ impl Launch {
 pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
     let drag = Quotients::at(launch.u.hi);
+    let sin2 = launch.sin.squared();
     (
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
         within_domain(alpha, eps, launch.y(&drag)),
         within_domain(alpha, eps, launch.elevation(alpha, &drag)),
-        within_domain(alpha, eps, launch.curvature(Launch::squares)),
+        within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
 

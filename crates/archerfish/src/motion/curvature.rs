@@ -16,20 +16,17 @@ const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
 const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
 
 impl Launch {
-    /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵, given how sin²α and cos²α are
-    /// found
+    /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵, by sin²α and cos²α
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn curvature(&self, squares: fn(&Self) -> (DoubleDouble, DoubleDouble)) -> Number {
+    pub fn curvature(&self, sin2: DoubleDouble, cos2: DoubleDouble) -> Number {
         let q = self.q();
         let inverse = 1.0 / q.hi;
-        // here, while the division is under way (bench/NOTES.md, "Order")
-        let (sin2, cos2) = squares(self);
         let share = cos2.div_by(q, inverse);
         let denominator = share.squared().add_positives(sin2.times(share.twice().complement()));
         let root = sqrt(denominator.hi);
 
-        // and here, while the root is
+        // here, while the root is under way (bench/NOTES.md, "Order")
         let sum = sin2.add_positives(share);
         let across = cos2.hi - share.hi;
         let more = two_product(share.hi, across);
@@ -63,6 +60,6 @@ pub fn locus_curvature(theta: Number, eps: Number) -> Number {
     within_domain(theta, eps, {
         let launch = Elevated::new(angle, epsilon).launch();
         // both squares: an error of one alone is up to eight times as great in 1 less it
-        launch.curvature(|launch| (launch.sin.squared(), launch.cos.squared()))
+        launch.curvature(launch.sin.squared(), launch.cos.squared())
     })
 }
