@@ -453,14 +453,14 @@ pub fn aim_high(x: Number, y: Number, eps: Number) -> Number {
 }
 
 /// `aim_low` of ordinary targets, faster; ∞ for others.
-#[allow(dead_code, reason = "dispatch alone asks")]
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn aim_low_ordinary(x: Number, y: Number, eps: Number) -> Number {
     aim(Part::Ordinary, LOW, x, y, eps)
 }
 
 /// `aim_high` of ordinary targets, faster; ∞ for others.
-#[allow(dead_code, reason = "dispatch alone asks")]
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn aim_high_ordinary(x: Number, y: Number, eps: Number) -> Number {
     aim(Part::Ordinary, HIGH, x, y, eps)

@@ -23,7 +23,7 @@ mod relaxation;
 mod time;
 
 pub use aim::{aim_high, aim_low};
-#[allow(unused_imports, reason = "dispatch alone asks")]
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
 pub(crate) use aim::{aim_high_ordinary, aim_low_ordinary};
 pub use envelope::envelope_height;
 pub use height::trajectory_height;

@@ -1,7 +1,7 @@
 //! The lower branch, W ≤ −1.
 //!
 //! Method: w₀ = −1 + η R(η), η = √(−1 − ln(−z)), which is smooth even at the branch point, and one
-//! step. 1 + W next to the branch point by its series.
+//! step. The offset form has a series next to the branch point.
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Number, Order, polynomial_by, select, sqrt, times_power};

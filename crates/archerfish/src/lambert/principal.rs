@@ -1,7 +1,7 @@
 //! The principal branch, W ≥ −1.
 //!
-//! Method: w₀ = ln(1+z) (1 + R(y)), y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch point,
-//! and one step. 1 + W next to the branch point by its series.
+//! Method: w₀ = ln(1+z) (1 + R(y)), y = √(ln(1+z) − ln(1 − 1/e)), which is smooth even at the branch
+//! point, and one step. The offset form has a series next to the branch point.
 
 use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Number, Order, polynomial_by, select, sqrt, times_power};

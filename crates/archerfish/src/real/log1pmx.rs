@@ -73,7 +73,7 @@ pub fn log1pmx(x: Number) -> Number {
 }
 
 /// `log1pmx` without what only tiny and huge numbers and those up to −1 need; ∞ for them.
-#[allow(dead_code, reason = "dispatch alone asks")]
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn log1pmx_ordinary(x: Number) -> Number {
     let above = 1.0 + x;

@@ -29,7 +29,7 @@ pub use trigonometric::{cos, sin, sin_cos, tan};
 pub(crate) use atan::{angle, angle_all_round, atan_bend};
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
-#[allow(unused_imports, reason = "dispatch alone asks")]
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
 pub(crate) use log1pmx::log1pmx_ordinary;
 pub(crate) use polynomial::{polynomial, polynomial_by};
 pub(crate) use trigonometric::{Digits, sin_cos_extended, sin_cos_upper};
