@@ -110,8 +110,8 @@ if NODE is not None and shutil.which("rustup") is not None:
     def test_webassembly_computes_no_quantity_with_another():
         """x, y and elevation of an apex leave out its curvature, which shares their first steps.
 
-        Natively the compiler sees to that. Between functions it may be unable to: with a pointer to a
-        function handed to the curvature, x took twice the time, the others half as much again.
+        Natively the compiler sees to that. Between functions it may be unable to: with a pointer to
+        a function handed to the curvature, x took twice the time, the others half as much again.
         """
         most = {"apex_x": 0.8, "apex_y": 1.35, "apex_elevation": 1.6, "apex_curvature": 1.0}
         command = [NODE, HERE / "work.mjs", WASM / "kernels.js", WASM / "archerfish.wasm", *most]
