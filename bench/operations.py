@@ -42,7 +42,7 @@ def disassembly():
     binary = Path(metadata["target_directory"]) / "release/examples/evaluate"
     text = run("objdump", "--disassemble", "--demangle", "--no-show-raw-insn", str(binary))
     for part in re.split(r"\n(?=[0-9a-f]+ <)", text):
-        if name := re.match(r"[0-9a-f]+ <archerfish::batch::(\w+)::twins_avx512>:", part):
+        if name := re.match(r"[0-9a-f]+ <archerfish::batch::(\w+)::wides_avx512>:", part):
             yield name[1], re.findall(r"^\s*([0-9a-f]+):\t(.*)$", part, re.MULTILINE)
 
 

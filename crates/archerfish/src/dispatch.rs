@@ -137,6 +137,40 @@ macro_rules! twins {
 }
 pub(crate) use twins;
 
+/// Defines `$wides`, like `$twins`, over blocks of vectors.
+macro_rules! wides {
+    ($wides:ident, $whole:ident, $features:literal;
+     $module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
+        $crate::dispatch::wides!(@ $whole, $features; $module::$kernel, $($x),+);
+        $crate::dispatch::wides!(@ $wides, $features; $module::$ordinary, $($x),+ => |k, out| {
+            if $crate::dispatch::declined(&out[k]) {
+                $whole($(&$x[k..=k],)+ &mut out[k..=k]);
+            }
+        });
+    };
+    ($wides:ident, $whole:ident, $features:literal; $module:ident::$kernel:ident, $($x:ident),+) => {
+        $crate::dispatch::wides!(@ $wides, $features; $module::$kernel, $($x),+);
+    };
+    (@ $name:ident, $features:literal; $module:ident::$kernel:ident, $($x:ident),+
+     $(=> |$k:ident, $done:ident| $then:block)?) => {
+        #[inline(never)]
+        #[target_feature(enable = $features)]
+        fn $name($($x: &[[f64; $crate::wide::BLOCK]],)+ out: &mut [[f64; $crate::wide::BLOCK]]) {
+            let n = out.len();
+            $(let $x = &$x[..n];)+
+            for k in 0..n {
+                $crate::wides::$module::$kernel($((&$x[k]).into()),+).store(&mut out[k]);
+                $({
+                    let $k = k;
+                    let $done = &mut *out;
+                    $then
+                })?
+            }
+        }
+    };
+}
+pub(crate) use wides;
+
 /// Fills whole blocks by `$twins`, if there are some, and leaves the rest of the slices.
 macro_rules! blocks {
     ($twins:ident, $block:expr; $($x:ident),+ => $out:ident) => {
@@ -174,9 +208,8 @@ macro_rules! batch {
                 $module::$kernel $(or $ordinary)?, $($x),+
             );
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!(
-                twins_avx512, whole_avx512, "avx512f,avx512dq,avx512vl,fma",
-                $crate::twins::AVX512_BLOCK;
+            $crate::dispatch::wides!(
+                wides_avx512, whole_avx512, "avx512f,avx512dq,avx512vl,fma";
                 $module::$kernel $(or $ordinary)?, $($x),+
             );
             match $crate::dispatch::isa() {
@@ -193,7 +226,7 @@ macro_rules! batch {
                 #[cfg(target_arch = "x86_64")]
                 $crate::dispatch::Isa::Avx512 => unsafe {
                     $crate::dispatch::blocks!(
-                        twins_avx512, $crate::twins::AVX512_BLOCK; $($x),+ => out
+                        wides_avx512, $crate::wide::BLOCK; $($x),+ => out
                     );
                     avx512($($x,)+ out)
                 },
@@ -202,3 +235,72 @@ macro_rules! batch {
     };
 }
 pub(crate) use batch;
+
+/// The instructions that `wide.rs` computes with, as functions.
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod avx512 {
+    use core::arch::x86_64::*;
+
+    macro_rules! instructions {
+        ($($name:ident($($x:ident: $of:ty),+) -> $to:ty = $call:expr;)+) => {$(
+            #[inline(always)]
+            pub(crate) fn $name($($x: $of),+) -> $to {
+                // SAFETY: only what `batch` compiles for AVX-512, and calls where there is AVX-512,
+                // computes with its vectors.
+                unsafe { $call }
+            }
+        )+};
+    }
+
+    /// The same number in every place, for constants.
+    pub(crate) const fn spread_constant(x: f64) -> __m512d {
+        // SAFETY: eight doubles are what a vector is.
+        unsafe { core::mem::transmute([x; 8]) }
+    }
+
+    instructions! {
+        spread(x: f64) -> __m512d = _mm512_set1_pd(x);
+        // SAFETY: and the array is as long as a vector.
+        load(from: &[f64; 8]) -> __m512d = _mm512_loadu_pd(from.as_ptr());
+        // SAFETY: as the last.
+        store(to: &mut [f64; 8], x: __m512d) -> () = _mm512_storeu_pd(to.as_mut_ptr(), x);
+        to_bits(x: __m512d) -> __m512i = _mm512_castpd_si512(x);
+        from_bits(x: __m512i) -> __m512d = _mm512_castsi512_pd(x);
+        add(a: __m512d, b: __m512d) -> __m512d = _mm512_add_pd(a, b);
+        sub(a: __m512d, b: __m512d) -> __m512d = _mm512_sub_pd(a, b);
+        mul(a: __m512d, b: __m512d) -> __m512d = _mm512_mul_pd(a, b);
+        div(a: __m512d, b: __m512d) -> __m512d = _mm512_div_pd(a, b);
+        sqrt(a: __m512d) -> __m512d = _mm512_sqrt_pd(a);
+        abs(a: __m512d) -> __m512d = _mm512_abs_pd(a);
+        neg(a: __m512d) -> __m512d = _mm512_xor_pd(a, _mm512_set1_pd(-0.0));
+        mul_add(a: __m512d, b: __m512d, c: __m512d) -> __m512d = _mm512_fmadd_pd(a, b, c);
+        copysign(a: __m512d, sign: __m512d) -> __m512d = {
+            let bit = _mm512_set1_pd(-0.0);
+            _mm512_or_pd(_mm512_andnot_pd(bit, a), _mm512_and_pd(bit, sign))
+        };
+        is_nan(a: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_UNORD_Q>(a, a);
+        is_below(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b);
+        is_above(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_GT_OQ>(a, b);
+        is_at_most(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b);
+        is_at_least(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_GE_OQ>(a, b);
+        equals(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a, b);
+        select(condition: __mmask8, a: __m512d, b: __m512d) -> __m512d =
+            _mm512_mask_blend_pd(condition, b, a);
+        lesser(a: __m512d, b: __m512d) -> __m512d = _mm512_min_pd(a, b);
+        greater(a: __m512d, b: __m512d) -> __m512d = _mm512_max_pd(a, b);
+        spread_bits(bits: u64) -> __m512i = _mm512_set1_epi64(bits as i64);
+        has(bits: __m512i, bit: __m512i) -> __mmask8 =
+            _mm512_cmpeq_epi64_mask(_mm512_and_si512(bits, bit), bit);
+        when(condition: __mmask8, bits: __m512i) -> __m512i =
+            _mm512_maskz_mov_epi64(condition, bits);
+        wrapping_add(a: __m512i, b: __m512i) -> __m512i = _mm512_add_epi64(a, b);
+        wrapping_sub(a: __m512i, b: __m512i) -> __m512i = _mm512_sub_epi64(a, b);
+        bitand(a: __m512i, b: __m512i) -> __m512i = _mm512_and_si512(a, b);
+        bitor(a: __m512i, b: __m512i) -> __m512i = _mm512_or_si512(a, b);
+        bitxor(a: __m512i, b: __m512i) -> __m512i = _mm512_xor_si512(a, b);
+        shift_left(bits: __m512i, by: u32) -> __m512i =
+            _mm512_sllv_epi64(bits, _mm512_set1_epi64(i64::from(by)));
+        shift_right(bits: __m512i, by: u32) -> __m512i =
+            _mm512_srlv_epi64(bits, _mm512_set1_epi64(i64::from(by)));
+    }
+}

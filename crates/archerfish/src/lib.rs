@@ -32,6 +32,10 @@ mod pairs;
 mod twin;
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 mod twins;
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+mod wide;
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+mod wides;
 
 /// What the kernels compute with: a double. (They are compiled for two doubles at once as well: `pairs`
 /// in a browser, `twins` for AVX2 and AVX-512.)

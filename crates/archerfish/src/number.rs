@@ -14,6 +14,16 @@ pub(crate) trait Order: Copy {
     fn equals(self, other: impl Into<Self>) -> Self::Mask;
     /// `a` where the condition holds, else `b`.
     fn select(condition: Self::Mask, a: Self, b: Self) -> Self;
+    /// `a` where it is below b, else `b`.
+    #[inline(always)]
+    fn lesser(a: Self, b: Self) -> Self {
+        Self::select(a.is_below(b), a, b)
+    }
+    /// `a` where it is above b, else `b`.
+    #[inline(always)]
+    fn greater(a: Self, b: Self) -> Self {
+        Self::select(a.is_above(b), a, b)
+    }
 }
 
 impl Order for f64 {

@@ -16,7 +16,7 @@ use super::super::real::{
     Exponential, Mask, Number, Order, angle_all_round, nearest_integer, polynomial,
     power_and_inverse, power_of_two,
 };
-use super::super::real::{LN2_HI, LN2_LO, select, sqrt};
+use super::super::real::{LN2_HI, LN2_LO, greater, lesser, select, sqrt};
 use super::aim_start::{Contact, start};
 use super::domain::is_drag;
 use super::relaxation::RELAXED;
@@ -66,24 +66,10 @@ const STRONG: f64 = f64::from_bits((1023 + 50) << 52);
 /// The greatest power of two with a normal inverse.
 const GREATEST: f64 = f64::from_bits((1023 + 1022) << 52);
 
-/// `a` and `b`, whichever is greater; `b` where `a` is NaN.
-#[inline(always)]
-pub(super) fn greater(a: Number, b: operand!()) -> Number {
-    let b: Number = b.into();
-    select(a.is_above(b), a, b)
-}
-
-/// `a` and `b`, whichever is less; `b` where `a` is NaN.
-#[inline(always)]
-pub(super) fn least(a: Number, b: operand!()) -> Number {
-    let b: Number = b.into();
-    select(a.is_below(b), a, b)
-}
-
 /// `a`, or the nearer of the two bounds.
 #[inline(always)]
 fn within(a: Number, bound: f64) -> Number {
-    least(greater(a, -bound), bound)
+    lesser(greater(a, -bound), bound)
 }
 
 /// What directions are enlarged by.
@@ -118,7 +104,7 @@ impl Target {
     fn new(part: Part, x: Number, y: Number, epsilon: Number) -> Self {
         let (x, y, epsilon) = match part {
             Part::Whole => {
-                let far = least(greater(x.abs() * NEARER, 1.0), GREATEST);
+                let far = lesser(greater(x.abs() * NEARER, 1.0), GREATEST);
                 let (_, (far, near)) = power_and_inverse(far);
                 (x * near, y * near * near, epsilon * far)
             }
@@ -127,7 +113,7 @@ impl Target {
         // what is less makes no difference; its inverse would
         let epsilon = greater(epsilon, 1e-300);
         let most = match part {
-            Part::Whole => least(epsilon, GREATEST),
+            Part::Whole => lesser(epsilon, GREATEST),
             Part::Ordinary => epsilon,
         };
         let (_, (mu, gamma)) = power_and_inverse(greater(most, 1.0));
@@ -164,7 +150,7 @@ impl Target {
     #[inline(always)]
     fn step(&self, part: Part, sense: f64, t: Number) -> (Number, Mask) {
         let (lambda, gamma) = (self.lambda, self.gamma);
-        let w = least(lambda * t, ENDED);
+        let w = lesser(lambda * t, ENDED);
         // e⁻ʷ = 2ⁿ (1 + r + r² q), and up to w = 0.35, where n = 0, q is E₂
         let n = nearest_integer(w * -core::f64::consts::LOG2_E);
         let r = (-w - n * LN2_HI) - n * LN2_LO;
@@ -207,7 +193,7 @@ impl Target {
     fn direction(&self, part: Part, sense: f64, t: Number, contact: &Contact) -> Direction {
         let (lambda, gamma) = (self.lambda, self.gamma);
         let w = two_product(lambda, t);
-        let exponential = Exponential::of(-least(w.hi, ENDED));
+        let exponential = Exponential::of(-lesser(w.hi, ENDED));
         let power = power_of_two(exponential.n);
         let significand = exponential.loose_significand();
         let (high, low) =
@@ -424,8 +410,7 @@ fn next_to_launch(
     up: DoubleDouble,
     across: Number,
 ) -> (DoubleDouble, Number) {
-    let enlarged = |a: Number| a * MOST * MORE;
-    let (ahead, above) = (enlarged(x.abs()), enlarged(y));
+    let (ahead, above) = (x.abs() * MOST * MORE, y * MOST * MORE);
     let fallen = 0.5 * (ahead * x.abs() + above * y);
     let up = DoubleDouble::select(near, DoubleDouble::from(above + fallen), up);
     // the launch point itself counts as straight ahead

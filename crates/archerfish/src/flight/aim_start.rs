@@ -8,9 +8,10 @@
 //! drag is nearly straight, the time of `e⁻ʷ = 1 − λ√(X² + (Y + γβ)²)` is nearer than that of β.
 
 use super::super::real::{
-    Logarithm, Mask, Number, Order, exponent_and_significand, polynomial, select, sqrt,
+    Logarithm, Mask, Number, Order, exponent_and_significand, greater, lesser, polynomial, select,
+    sqrt,
 };
-use super::aim::{LOW, Model, Target, greater, least};
+use super::aim::{LOW, Model, Target};
 
 // aim_log: minimax on [-0.293, 0.4143], degree 3,
 // weighted error 0.000354: reference/coefficients.py aim_log
@@ -63,7 +64,7 @@ impl Contact {
         let below = height - y;
         let noise = (8.0 * f64::EPSILON) * height.abs();
         let band = way * (lambda * rest + gamma * gamma * way) * 2e-9;
-        let band = select(band.is_below(up * up * 0.0156), band, up * up * 0.0156) + noise * up;
+        let band = lesser(band, up * up * 0.0156) + noise * up;
         let above = below * up;
         Contact {
             t: w * end,
@@ -114,7 +115,7 @@ pub(super) fn start(sense: f64, target: &Target, contact: &Contact) -> Start {
         greater(touching, greater(launch, ended_fall))
     } else {
         let touching = contact.fall + mu * (below + sqrt(greater(2.0 * up * below, 0.0)));
-        let fall = least(greater(ended_fall, 0.0), touching);
+        let fall = lesser(greater(ended_fall, 0.0), touching);
         // by the approximation at the touching point, as far as three derivatives see
         let model = Model::new(target, way, rest, slope, excess, 1.0);
         let theta = model.excess / (sqrt(greater(model.discriminant(), 0.0)) - model.slope);
@@ -135,7 +136,7 @@ pub(super) fn start(sense: f64, target: &Target, contact: &Contact) -> Start {
 fn time_after(target: &Target, fall: Number) -> Number {
     let lambda = target.lambda;
     let root = sqrt(2.0 * fall);
-    let q = least(lambda * root, 1e30);
+    let q = lesser(lambda * root, 1e30);
     let way = root * polynomial(q, &AIM_WAY_TOP) / ((1.0 + q) * polynomial(q, &AIM_WAY_BOTTOM));
     lambda * fall + way
 }

@@ -5,7 +5,7 @@
 //! height is its own.
 
 use super::super::real::double_double::{DoubleDouble, two_product, two_sum};
-use super::super::real::{Number, Order, select};
+use super::super::real::{Number, Order, lesser, select};
 use super::domain::is_drag;
 use super::fall::fall;
 use super::height::height_after;
@@ -29,7 +29,7 @@ impl Touching {
         let one = DoubleDouble::from(1.0);
         let before_end = one.sub(two_product(epsilon, x.abs()));
         // so far out the height is −∞, and its parts would be infinite
-        let x = select(x.abs().is_above(1e160), 1e160, x.abs());
+        let x = lesser(1e160, x.abs());
         let product = two_product(epsilon, x);
         let rest = one.sub(product);
         let e = rest.times(one.add(product));

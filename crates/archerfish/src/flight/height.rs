@@ -1,7 +1,7 @@
 //! The trajectory as a curve.
 
 use super::super::real::double_double::{DoubleDouble, two_product};
-use super::super::real::{Number, Order, select, sin_cos_extended};
+use super::super::real::{Number, Order, lesser, select, sin_cos_extended};
 use super::domain::{LARGE, SMALL, is_direction, is_drag};
 use super::fall::fall;
 
@@ -24,7 +24,7 @@ pub fn trajectory_height(x: Number, alpha: Number, eps: Number) -> Number {
     let tiny = x.abs().is_below(SMALL);
     let (factor, back) = (select(tiny, LARGE, 1.0), select(tiny, SMALL, 1.0));
     // so far out the height is −∞, and its parts would be infinite
-    let size = select(x.abs().is_above(1e160), 1e160, x.abs()) * factor;
+    let size = lesser(1e160, x.abs()) * factor;
     let backward = cos.hi.is_below(0.0);
     let across = DoubleDouble::select(backward, cos.neg(), cos);
     let scaled = DoubleDouble::from(size).div(across);

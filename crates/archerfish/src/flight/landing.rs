@@ -12,7 +12,7 @@
 //! - `w − r (1 + h) = w³ (1/4 − B (1 + h))`.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference};
-use super::super::real::{Exponential, Number, Order, polynomial, power_of_two, select};
+use super::super::real::{Exponential, Number, Order, lesser, polynomial, power_of_two, select};
 
 // half_time_start: 0.96 of the error that can be borne: reference/coefficients.py half_time_start
 const HALF_TIME_START_TOP: [f64; 5] =
@@ -24,7 +24,7 @@ const HALF_TIME_START_BOTTOM: [f64; 5] =
 #[inline(always)]
 pub(super) fn start(u: Number) -> Number {
     // beyond 10⁶ the guess is right to 10⁻⁶ and the equation linear
-    let size = select(u.is_above(1e6), 1e6, u);
+    let size = lesser(1e6, u);
     let ratio = polynomial(size, &HALF_TIME_START_TOP) / polynomial(size, &HALF_TIME_START_BOTTOM);
     u * ratio
 }
@@ -59,7 +59,7 @@ impl Landing {
 pub(super) fn landing(q: DoubleDouble, h: Number) -> Landing {
     let w = 2.0 * h;
     // beyond w = 80 all of e⁻ʷ is below the last bit of the second double but a few
-    let exponential = Exponential::of(-select(w.is_above(80.0), 80.0, w));
+    let exponential = Exponential::of(-lesser(80.0, w));
     let power = power_of_two(exponential.n);
     let change = exponential.loose_excess().scale(power);
     let gone = fast_two_difference(1.0 - power, change.hi);

@@ -31,10 +31,15 @@ fn moderate(epsilon: Number) -> Number {
     angle(sine_square.sqrt(), one.sub(sine_square).sqrt())
 }
 
+/// `ln x`, as a sum of two doubles.
+#[inline(always)]
+fn logarithm(x: Number) -> DoubleDouble {
+    Logarithm::of(DoubleDouble::from(x)).value()
+}
+
 /// For ε > 2⁴⁰.
 #[inline(always)]
 fn strong(epsilon: Number) -> Number {
-    let logarithm = |x: Number| Logarithm::of(DoubleDouble::from(x)).value();
     let right = logarithm(epsilon).scale(2.0).add_double(-1.0);
     let mut w = right.hi - ln(right.hi);
     w *= (1.0 + right.hi - ln(w)) / (1.0 + w);

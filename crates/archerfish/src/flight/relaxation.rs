@@ -4,7 +4,7 @@
 //! `E₁ = (1 − e⁻ʷ)/w` and `E₂ = (1 − E₁)/w`, which lose a bit or two of more than there need be.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum};
-use super::super::real::{Exponential, Order, polynomial, power_of_two, select};
+use super::super::real::{Exponential, Order, lesser, polynomial, power_of_two, select};
 
 // fall_tail: minimax on [0.0, 0.7001], degree 9,
 // weighted error 1.54e-18: reference/coefficients.py fall_tail
@@ -65,8 +65,5 @@ pub(super) const RELAXED: f64 = 75.0;
 /// `w` up to `RELAXED`.
 #[inline(always)]
 pub(super) fn clamped(w: DoubleDouble) -> DoubleDouble {
-    DoubleDouble {
-        hi: select(w.hi.is_above(RELAXED), RELAXED, w.hi),
-        lo: select(w.hi.is_above(RELAXED), 0.0, w.lo),
-    }
+    DoubleDouble { hi: lesser(RELAXED, w.hi), lo: select(w.hi.is_above(RELAXED), 0.0, w.lo) }
 }

@@ -7,7 +7,7 @@ use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Number, Order, polynomial_by, select, sqrt, times_power};
 use super::branch::{INVERSE_E, NEAR, at_offset, lower_near};
 use super::start::lower_logarithm;
-use super::step::{corrected, one_plus_corrected};
+use super::step::{corrected, one_plus_corrected, shifted_exponent};
 
 // lower_start: 0.04 of the error that can be borne: reference/coefficients.py lower_start
 const LOWER_START_TOP: [f64; 5] =
@@ -35,8 +35,10 @@ fn start(lifted: Number, offset: Number) -> Number {
 pub fn lambertwm1(z: Number) -> Number {
     let lifted = z * LIFTED;
     let w = start(lifted, (z + INVERSE_E.hi) + INVERSE_E.lo);
-    let regular =
-        corrected(w, 1.0 + w, |shifted| lifted * times_power(Number::from(1.0 / LIFTED), shifted));
+    let above = 1.0 + w;
+    let shifted = shifted_exponent(above);
+    let scaled = lifted * times_power(Number::from(1.0 / LIFTED), shifted);
+    let regular = corrected(w, above, shifted, scaled);
     let regular = select(z.equals(0.0), f64::NEG_INFINITY, regular);
     // below and above its domain, and at the branch point, the root is that of a negative number
     select(regular.is_nan(), select(z.equals(-INVERSE_E.hi), -1.0, f64::NAN), regular)

@@ -7,7 +7,7 @@ use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Number, Order, polynomial_by, select, sqrt, times_power};
 use super::branch::{INVERSE_E, NEAR, at_offset, principal_near};
 use super::start::principal_logarithms;
-use super::step::{corrected, one_plus_corrected};
+use super::step::{corrected, one_plus_corrected, shifted_exponent};
 
 // principal_start: 0.25 of the error that can be borne: reference/coefficients.py principal_start
 const PRINCIPAL_START_TOP: [f64; 7] = [
@@ -51,7 +51,8 @@ pub fn lambertw0(z: Number) -> Number {
     // next to nothing its square tells, and −0 is where z is; here, while a division is under way
     let square = z * z;
     let next = z - square;
-    let regular = corrected(above - 1.0, above, |shifted| times_power(z, shifted));
+    let shifted = shifted_exponent(above);
+    let regular = corrected(above - 1.0, above, shifted, times_power(z, shifted));
     let regular = select(square.is_below(1e-24), next, regular);
     // (`== ∞` the compiler makes a test of bits, in more instructions)
     let regular = select(z.is_above(f64::MAX), z, regular);

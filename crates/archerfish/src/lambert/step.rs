@@ -50,16 +50,21 @@ impl Step {
     }
 }
 
-/// `z e^{−w} − w`, given w and 1 + w, no finer than 2⁻⁵², and z 2ⁿ as a function of MAGIC + n.
+/// MAGIC + n, n being the power of two in e^{−w}, given 1 + w.
+#[inline(always)]
+pub(super) fn shifted_exponent(above: Number) -> Number {
+    above * -core::f64::consts::LOG2_E + MAGIC
+}
+
+/// `z e^{−w} − w`, given w and 1 + w, no finer than 2⁻⁵², MAGIC + n and z 2ⁿ.
 ///
 /// With `r = (1 + w) + n ln 2`, `e^{−w} = 2ⁿ e (1 − r + r² (1/2 − …))`. So n is 0 and r is 1 + w around
 /// the branch point, and what is rounded is as small as its square: there is no other formula there.
 #[inline(always)]
-fn residual(w: Number, above: Number, times_power: impl Fn(Number) -> Number) -> Number {
+fn residual(w: Number, above: Number, shifted: Number, scaled: Number) -> Number {
     const E: f64 = core::f64::consts::E;
     /// (e − E)/e
     const E_REST: f64 = 5.318237706605892e-17;
-    let shifted = above * -core::f64::consts::LOG2_E + MAGIC;
     let n = shifted - MAGIC;
     // r and 1 − r are exact, being no finer than 2⁻⁵²
     let r = n * LN2_HI + above;
@@ -67,7 +72,6 @@ fn residual(w: Number, above: Number, times_power: impl Fn(Number) -> Number) ->
     let linear = two_product(Number::from(E), 1.0 - r);
     let tail = r * r * polynomial(r, &RESIDUAL_TAIL);
     let small = linear.lo - r_rest * (linear.hi + tail);
-    let scaled = times_power(shifted);
     let product = two_product(scaled, linear.hi);
     // both sums are exact, of nearly equal numbers
     ((product.hi - w) + scaled * tail) + (product.lo + scaled * small)
@@ -75,14 +79,10 @@ fn residual(w: Number, above: Number, times_power: impl Fn(Number) -> Number) ->
 
 /// Lambert W of z, given a w within a twentieth of it, and what `residual` is given.
 #[inline(always)]
-pub(super) fn corrected(
-    w: Number,
-    above: Number,
-    times_power: impl Fn(Number) -> Number,
-) -> Number {
+pub(super) fn corrected(w: Number, above: Number, shifted: Number, scaled: Number) -> Number {
     // its division is under way while the residual is computed (bench/NOTES.md, "Order")
     let step = Step::at(above);
-    w + step.of(residual(w, above, times_power))
+    w + step.of(residual(w, above, shifted, scaled))
 }
 
 /// 1 + Lambert W of z, w being near W and 1 + w a double.

@@ -14,7 +14,7 @@
 //! f is q sin α/B as well; so written, the errors that the one of α makes in the factors cancel.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{Number, Order, select};
+use super::super::real::{Number, Order, greater, select};
 use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
 use super::locus::Elevated;
@@ -76,7 +76,7 @@ fn derivatives(theta: Number, eps: Number) -> (Number, Number) {
     let scale = |weaker: f64, stronger: f64| select(tiny, select(weak, weaker, stronger), 1.0);
     // 0/0 at θ = 0, which is like anything much smaller than ε
     let angle = theta * scale(LARGE, LIFT);
-    let angle = select(angle.is_below(LEAST), LEAST, angle);
+    let angle = greater(LEAST, angle);
     let epsilon = eps * scale(LARGE, 1.0 / LIFT);
     let back = scale(SMALL, LIFT);
     let (first, second) = Elevated::new(angle, epsilon).launch_angle_derivatives();

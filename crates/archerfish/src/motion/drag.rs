@@ -56,7 +56,9 @@ fn ratio_of_square(z: Number) -> DoubleDouble {
 #[inline(always)]
 pub(super) fn logarithm(q: DoubleDouble, near: Mask) -> Logarithm {
     let (k, m) = exponent_and_significand(q.hi);
-    Logarithm::of_parts(q, select(near, 0.0, k), select(near, q.hi, m), ratio_of_square)
+    let (k, m) = (select(near, 0.0, k), select(near, q.hi, m));
+    let s = Logarithm::ratio_of(q, k, m);
+    Logarithm { k, s, rho: ratio_of_square(s.hi * s.hi) }
 }
 
 /// Drag at one value of u = ε sin α, in full, for what is found by it.

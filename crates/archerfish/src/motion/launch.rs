@@ -1,7 +1,7 @@
 //! One launch: the direction, and the drag it meets.
 
 use super::super::real::double_double::{DoubleDouble, rest_of_product};
-use super::super::real::{Digits, Mask, Number, Order, select, sin_cos_upper};
+use super::super::real::{Digits, Mask, Number, Order, lesser, select, sin_cos_upper};
 use super::drag::Quotients;
 
 /// A launch at angle α with drag parameter ε.
@@ -66,8 +66,8 @@ impl Launch {
 pub(crate) fn is_within(angle: Number, epsilon: Number) -> Mask {
     // the mirrored angle is below 0 beyond π; and a NaN stays
     let mirrored = core::f64::consts::PI - angle;
-    let least = select(angle.is_below(mirrored), angle, mirrored);
-    select(epsilon.is_below(least), epsilon, least).is_at_least(0.0)
+    let least = lesser(angle, mirrored);
+    lesser(epsilon, least).is_at_least(0.0)
 }
 
 /// Whether the functions of this module take the angle and the drag parameter.

@@ -14,7 +14,7 @@ use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
 };
 use super::super::real::{
-    Digits, Mask, Number, Order, atan_bend, polynomial, select, sin_cos_upper, sqrt,
+    Digits, Mask, Number, Order, atan_bend, lesser, polynomial, select, sin_cos_upper, sqrt,
 };
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, within_domain};
@@ -90,11 +90,9 @@ impl Elevated {
         let (sin, cos) = (self.up.times(self.cos_beta), along.times(self.cos_beta));
         let half_square = 0.5 * self.step * self.step;
         let cube = half_square * self.step * (1.0 / 3.0);
-        let turn = |along: DoubleDouble, across: DoubleDouble| {
-            let change = self.step * across.hi - half_square * along.hi - cube * across.hi;
-            fast_two_sum(along.hi, along.lo + change)
-        };
-        (turn(sin, cos), turn(cos, sin.neg()))
+        let sin_change = self.step * cos.hi - half_square * sin.hi - cube * cos.hi;
+        let cos_change = self.step * -sin.hi - half_square * cos.hi - cube * -sin.hi;
+        (fast_two_sum(sin.hi, sin.lo + sin_change), fast_two_sum(cos.hi, cos.lo + cos_change))
     }
 
     /// The launch.
@@ -137,19 +135,25 @@ impl Secant {
     }
 }
 
+/// `c₀ x² + c₁ x y + c₂ y²`
+#[inline(always)]
+fn quadratic_form(c: &[f64; 3], x: Number, y: Number) -> Number {
+    (c[0] * x + c[1] * y) * x + c[2] * (y * y)
+}
+
 /// τ to 2⁻¹⁷ of sin α or better.
 #[inline(always)]
 fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
     let (sin2, cos2) = (sin * sin, cos * cos);
     // where G differs from 1 by less than anything, no power of v overflows
-    let v = select((epsilon * sin).is_above(1e60), 1e60, epsilon * sin);
+    let v = lesser(1e60, epsilon * sin);
 
     // u = v/√stretch is nearly `v scale/root`
     let scale = 1.0 + ROUGH_ROOT[2] * v;
     let root = scale - (ROUGH_ROOT[0] + ROUGH_ROOT[1] * v) * cos2;
     let whole = root + v * scale;
-    let powers = |c: &[f64; 3]| (c[0] * whole + c[1] * root) * whole + c[2] * (root * root);
-    let g = powers(&ROUGHER_GAIN_TOP) / powers(&ROUGHER_GAIN_BOTTOM);
+    let g = quadratic_form(&ROUGHER_GAIN_TOP, whole, root)
+        / quadratic_form(&ROUGHER_GAIN_BOTTOM, whole, root);
 
     let stretch = sin2 + g * g * cos2;
     // its root is a quotient too, so that x = 1/√(1 + u) takes one division and one root

@@ -6,7 +6,7 @@
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 use super::super::FUSED;
-use super::{Mask, Number, Order};
+use super::{Mask, Number};
 
 /// The sum `hi + lo`, with `|lo|` far below `|hi|`.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,7 @@ pub(crate) fn fast_two_difference(a: operand!(), b: operand!()) -> DoubleDouble 
 #[inline(always)]
 pub(crate) fn two_sum_positive(a: operand!(), b: operand!()) -> DoubleDouble {
     let (a, b): (Number, Number) = (a.into(), b.into());
-    fast_two_sum(super::select(a.is_above(b), a, b), super::select(a.is_above(b), b, a))
+    fast_two_sum(super::greater(a, b), super::lesser(b, a))
 }
 
 /// `a * b` exactly.

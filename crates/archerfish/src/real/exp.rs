@@ -4,7 +4,10 @@
 //! `m = eʳ − 1 = r + r²/2 + r³ p(r)`, the first two terms as exact sums.
 
 use super::double_double::{DoubleDouble, fast_two_difference, fast_two_sum, two_square, two_sum};
-use super::{LN2_HI, LN2_LO, Number, Order, nearest_integer, polynomial, power_of_two, select};
+use super::{
+    LN2_HI, LN2_LO, Number, Order, greater, lesser, nearest_integer, polynomial, power_of_two,
+    select,
+};
 
 // exp_tail: minimax on [-0.346608, 0.346608], degree 9,
 // weighted error 5.67e-19: reference/coefficients.py exp_tail
@@ -79,8 +82,7 @@ impl Exponential {
 /// Arguments beyond which nothing changes any more: e⁷¹⁰ overflows, e⁻⁷⁴⁶ is zero.
 #[inline(always)]
 fn clamp(x: Number) -> Number {
-    let x = select(x.is_above(710.0), 710.0, x);
-    select(x.is_below(-746.0), -746.0, x)
+    greater(-746.0, lesser(710.0, x))
 }
 
 /// `eˣ`.
@@ -98,7 +100,7 @@ pub fn exp(x: Number) -> Number {
 #[inline(always)]
 pub fn exp_m1(x: Number) -> Number {
     // below −60 the result is −1 to the last bit, and a smaller power of two would be useless
-    let exponential = Exponential::of(select(x.is_below(-60.0), -60.0, clamp(x)));
+    let exponential = Exponential::of(greater(-60.0, clamp(x)));
     // half of the power, so that x between 709.4 and 709.78 does not overflow on the way
     let half_power = power_of_two(exponential.n - 1.0);
     let whole = two_sum(half_power, -0.5);

@@ -7,7 +7,8 @@
 
 use super::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use super::{
-    LN2_HI, LN2_LO, Number, Order, exponent_and_significand, polynomial, power_of_two, select,
+    LN2_HI, LN2_LO, Number, Order, exponent_and_significand, lesser, polynomial, power_of_two,
+    select,
 };
 
 // atanh_tail: minimax on [0.0, 0.0294402], degree 6,
@@ -44,27 +45,21 @@ impl Logarithm {
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn of(w: DoubleDouble) -> Self {
         let (k, m) = exponent_and_significand(w.hi);
-        Logarithm::of_parts(w, k, m, |z| {
-            let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
-            fast_two_sum(rho.hi, rho.lo + THIRD.lo)
-        })
+        let s = Logarithm::ratio_of(w, k, m);
+        let z = s.hi * s.hi;
+        let rho = fast_two_sum(THIRD.hi, z * polynomial(z, &ATANH_TAIL));
+        Logarithm { k, s, rho: fast_two_sum(rho.hi, rho.lo + THIRD.lo) }
     }
 
-    /// Of `w = 2ᵏ m + w.lo`, given ρ for where s² then lies.
+    /// `s`, of `w = 2ᵏ m + w.lo`.
     #[inline(always)]
-    pub fn of_parts(
-        w: DoubleDouble,
-        k: Number,
-        m: Number,
-        rho: impl Fn(Number) -> DoubleDouble,
-    ) -> Self {
+    pub fn ratio_of(w: DoubleDouble, k: Number, m: Number) -> DoubleDouble {
         // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside ln w
-        let low = w.lo * power_of_two(-select(k.is_above(1000.0), 1000.0, k));
+        let low = w.lo * power_of_two(-lesser(1000.0, k));
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
-        let s = f.div(denominator);
-        Logarithm { k, s, rho: rho(s.hi * s.hi) }
+        f.div(denominator)
     }
 
     /// `2 s³ ρ(s²)`, the rounded part of `ln(1 + f)`; `2s` is the other.

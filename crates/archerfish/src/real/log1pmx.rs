@@ -8,7 +8,9 @@
 //! where k is −1 or 1 no more than a few bits cancel.
 
 use super::double_double::{fast_two_difference, fast_two_sum, two_product};
-use super::{Bits, Integer, LN2_HI, LN2_LO, Number, Order, exponent_field, polynomial, select};
+use super::{
+    Bits, Integer, LN2_HI, LN2_LO, Number, Order, exponent_field, lesser, polynomial, select,
+};
 
 // log1pmx_tail: minimax on [0.0, 0.0401], degree 7,
 // weighted error 1.11e-17: reference/coefficients.py log1pmx_tail
@@ -77,6 +79,6 @@ pub fn log1pmx(x: Number) -> Number {
 #[inline(always)]
 pub(crate) fn log1pmx_ordinary(x: Number) -> Number {
     let above = 1.0 + x;
-    let least = select(x.abs().is_below(above), x.abs(), above);
+    let least = lesser(x.abs(), above);
     select(least.is_at_least(TINY) & x.is_at_most(HUGE), regular(x), f64::INFINITY)
 }

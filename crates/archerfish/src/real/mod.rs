@@ -40,6 +40,18 @@ pub(crate) fn select(condition: Mask, a: operand!(), b: operand!()) -> Number {
     Number::select(condition, a.into(), b.into())
 }
 
+/// `a` where it is below b, else `b`: a NaN of b stays.
+#[inline(always)]
+pub(crate) fn lesser(a: operand!(), b: operand!()) -> Number {
+    Number::lesser(a.into(), b.into())
+}
+
+/// `a` where it is above b, else `b`: a NaN of b stays.
+#[inline(always)]
+pub(crate) fn greater(a: operand!(), b: operand!()) -> Number {
+    Number::greater(a.into(), b.into())
+}
+
 /// `2ⁿ` for an integer `n` in [−1022, 1023], held in a double.
 #[inline(always)]
 pub(crate) fn power_of_two(n: Number) -> Number {

@@ -2,6 +2,17 @@
 
 use super::Number;
 
+/// Steps of Horner's below the one at the top. (A loop would be undone only after the compiler has moved
+/// what stands before it behind it, one of several vectors after the other.)
+macro_rules! steps {
+    ($sum:ident, $square:ident, $coefficients:ident, $top:ident: $($k:literal)+) => {
+        const { assert!(N <= 16) };
+        $(if $k < $top {
+            $sum = $sum * $square + coefficient($coefficients, $k);
+        })+
+    };
+}
+
 /// `Σ cₖ xᵏ`, as two interleaved Horner chains in x², half as long as one.
 #[inline(always)]
 pub(crate) fn polynomial<const N: usize>(x: Number, coefficients: &[f64; N]) -> Number {
@@ -18,17 +29,9 @@ pub(crate) fn polynomial_by<const N: usize>(
     let top_even = (N - 1) / 2 * 2;
     let top_odd = if N.is_multiple_of(2) { N - 1 } else { N - 2 };
     let mut even = coefficient(coefficients, top_even);
-    let mut k = top_even;
-    while k >= 2 {
-        k -= 2;
-        even = even * square + coefficient(coefficients, k);
-    }
     let mut odd = coefficient(coefficients, top_odd);
-    let mut k = top_odd;
-    while k >= 3 {
-        k -= 2;
-        odd = odd * square + coefficient(coefficients, k);
-    }
+    steps!(even, square, coefficients, top_even: 14 12 10 8 6 4 2 0);
+    steps!(odd, square, coefficients, top_odd: 13 11 9 7 5 3 1);
     even + x * odd
 }
 
