@@ -77,9 +77,12 @@ def atanh_excess(z):
     return mp.mpf(1) / 3 + z * atanh_tail(z)
 
 
-def twice_atanh_excess(z):
-    """2 (artanh(√z)/√z − 1) / z."""
-    return 2 * atanh_excess(z)
+def log_tail(f):
+    """2 (ln(1 + f) − f + f²/2) / f³."""
+    return taylor_near_zero(
+        lambda t: 2 * (mp.log1p(t) - t + t * t / 2) / t**3,
+        lambda k: 2 * mp.mpf(-1) ** k / (k + 3),
+    )(f)
 
 
 def sin_tail(z):
@@ -150,12 +153,14 @@ ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
 TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
+LOG_STEP = mp.mpf("0.03126")
+
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
     "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
-    "log1pmx_tail": Fit(twice_atanh_excess, 0, mp.mpf("0.0401"), 7, mp.sqrt),
+    "log_tail": Fit(log_tail, -LOG_STEP, LOG_STEP, 8, abs),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 4, one),

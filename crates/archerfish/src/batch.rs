@@ -49,7 +49,7 @@ table! { UNARY: UnaryBatch => (out);
 
 table! { BINARY: BinaryBatch => (out);
     apex_x(alpha, eps) = motion::apex_x;
-    apex_y(alpha, eps) = motion::apex_y;
+    apex_y(alpha, eps) = motion::apex_y or apex_y_ordinary;
     apex_time(alpha, eps) = motion::apex_time;
     apex_distance(alpha, eps) = motion::apex_distance;
     apex_elevation(alpha, eps) = motion::apex_elevation;

@@ -288,6 +288,9 @@ pub(crate) mod avx512 {
             _mm512_mask_blend_pd(condition, b, a);
         lesser(a: __m512d, b: __m512d) -> __m512d = _mm512_min_pd(a, b);
         greater(a: __m512d, b: __m512d) -> __m512d = _mm512_max_pd(a, b);
+        exponent(a: __m512d) -> __m512d = _mm512_getexp_pd(a);
+        look_up(low: __m512d, index: __m512i, high: __m512d) -> __m512d =
+            _mm512_permutex2var_pd(low, index, high);
         spread_bits(bits: u64) -> __m512i = _mm512_set1_epi64(bits as i64);
         has(bits: __m512i, bit: __m512i) -> __mmask8 =
             _mm512_cmpeq_epi64_mask(_mm512_and_si512(bits, bit), bit);

@@ -14,6 +14,11 @@ pub(crate) trait Order: Copy {
     fn equals(self, other: impl Into<Self>) -> Self::Mask;
     /// `a` where the condition holds, else `b`.
     fn select(condition: Self::Mask, a: Self, b: Self) -> Self;
+    /// The exponent of a positive normal number, where an instruction gives it.
+    #[inline(always)]
+    fn exponent(self) -> Option<Self> {
+        None
+    }
     /// `a` where it is below b, else `b`.
     #[inline(always)]
     fn lesser(a: Self, b: Self) -> Self {
@@ -57,6 +62,25 @@ impl Order for f64 {
     #[inline(always)]
     fn select(condition: bool, a: f64, b: f64) -> f64 {
         if condition { a } else { b }
+    }
+}
+
+/// A table of as many numbers as two vectors of AVX-512 hold.
+pub(crate) type Table = [f64; 16];
+
+/// Numbers out of a table.
+pub(crate) trait LookUp {
+    type Index;
+    /// Those at the last four bits of the index.
+    fn look_up(table: &Table, index: Self::Index) -> Self;
+}
+
+impl LookUp for f64 {
+    type Index = u64;
+
+    #[inline(always)]
+    fn look_up(table: &Table, index: u64) -> f64 {
+        table[(index & 15) as usize]
     }
 }
 

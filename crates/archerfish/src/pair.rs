@@ -3,7 +3,7 @@
 use core::arch::wasm32::*;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub};
 
-use crate::number::{Bits, Order};
+use crate::number::{Bits, LookUp, Order, Table};
 
 /// Two doubles.
 #[derive(Clone, Copy, Debug)]
@@ -103,6 +103,16 @@ impl Order for Pair {
     #[inline(always)]
     fn select(condition: PairMask, a: Self, b: Self) -> Self {
         Pair(v128_bitselect(a.0, b.0, condition.0))
+    }
+}
+
+impl LookUp for Pair {
+    type Index = PairBits;
+
+    #[inline(always)]
+    fn look_up(table: &Table, index: PairBits) -> Self {
+        let of = |index: u64| table[(index & 15) as usize];
+        Pair(f64x2(of(u64x2_extract_lane::<0>(index.0)), of(u64x2_extract_lane::<1>(index.0))))
     }
 }
 

@@ -7,7 +7,7 @@ use core::ops::{
     Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub, SubAssign,
 };
 
-use crate::number::{Bits, Order};
+use crate::number::{Bits, LookUp, Order, Table};
 
 /// Two of a kind.
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +92,16 @@ impl Order for Twin<f64> {
     fn select(condition: Twin<bool>, a: Self, b: Self) -> Self {
         let Twin([first, second]) = condition;
         Twin([if first { a.0[0] } else { b.0[0] }, if second { a.0[1] } else { b.0[1] }])
+    }
+}
+
+impl LookUp for Twin<f64> {
+    type Index = Twin<u64>;
+
+    #[inline(always)]
+    fn look_up(table: &Table, index: Twin<u64>) -> Self {
+        let Twin([a, b]) = index;
+        Twin([f64::look_up(table, a), f64::look_up(table, b)])
     }
 }
 

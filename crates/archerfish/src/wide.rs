@@ -9,7 +9,7 @@ use core::ops::{
 };
 
 use crate::dispatch::avx512;
-use crate::number::{Bits, Order};
+use crate::number::{Bits, LookUp, Order, Table};
 
 /// Vectors in flight.
 const VECTORS: usize = 4;
@@ -139,6 +139,11 @@ impl Order for Wide {
     }
 
     #[inline(always)]
+    fn exponent(self) -> Option<Self> {
+        Some(Wide(each!(I => avx512::exponent(self.0[I]))))
+    }
+
+    #[inline(always)]
     fn lesser(a: Self, b: Self) -> Self {
         Wide(each!(I => avx512::lesser(a.0[I], b.0[I])))
     }
@@ -146,6 +151,17 @@ impl Order for Wide {
     #[inline(always)]
     fn greater(a: Self, b: Self) -> Self {
         Wide(each!(I => avx512::greater(a.0[I], b.0[I])))
+    }
+}
+
+impl LookUp for Wide {
+    type Index = WideBits;
+
+    #[inline(always)]
+    fn look_up(table: &Table, index: WideBits) -> Self {
+        let (halves, _) = table.as_chunks();
+        let (low, high) = (avx512::load(&halves[0]), avx512::load(&halves[1]));
+        Wide(each!(I => avx512::look_up(low, index.0[I], high)))
     }
 }
 

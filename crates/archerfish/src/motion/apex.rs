@@ -1,9 +1,26 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
-use super::super::real::double_double::{fast_two_difference, fast_two_sum};
-use super::super::real::{Logarithm, Number, Order, atan_bend, select};
-use super::drag::Quotients;
-use super::launch::{LIFT, Launch, is_within, within_domain};
+use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
+use super::super::real::{Logarithm, Number, Order, atan_bend, greater, log_excess, select};
+use super::drag::Drag;
+use super::launch::{LARGE, LIFT, Launch, SMALL, is_angle, is_within, within_domain};
+
+/// Drag parameters below it, 2⁻⁶⁰, make no difference to a height.
+const WEAK: f64 = f64::from_bits((1023 - 60) << 52);
+/// Drag parameters up to it, 2³⁰⁰, have squares; greater ones times STRONG_BACK, 2⁻⁶⁰⁰.
+const STRONG: f64 = f64::from_bits((1023 + 300) << 52);
+const STRONG_BACK: f64 = f64::from_bits((1023 - 600) << 52);
+/// Where ε sin α is below it, 2⁻⁴⁰⁰, its square may underflow.
+const FLAT: f64 = f64::from_bits((1023 - 400) << 52);
+/// Above this, ln(1 + u) is nothing beside u.
+const HUGE: f64 = 1e100;
+
+/// How much of the domain a kernel is for (DESIGN.md, "ordinary part").
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Whole,
+    Ordinary,
+}
 
 impl Launch {
     /// `x = sin α cos α / q`
@@ -13,12 +30,23 @@ impl Launch {
         lifted.quotient(self.q_of_rounded()) * (1.0 / LIFT)
     }
 
-    /// `y = sin²α φ(u)`
+    /// `y = sin²α φ(u)`, as `(u − ln(1 + u))/ε²`
     #[inline(always)]
-    fn y(&self, drag: &Quotients) -> Number {
-        let (top, bottom) = drag.fall(self.u.lo);
-        let lifted = self.lifted().squared().times(top).quotient(bottom);
-        lifted * (1.0 / LIFT / LIFT)
+    fn y(&self, epsilon: Number, part: Part) -> Number {
+        // φ is 1/2 − u/3 below WEAK, to 2⁻⁶⁰
+        let epsilon = greater(WEAK, epsilon);
+        let u = self.sin.times_double(epsilon);
+        let (excess, slope) = log_excess::<true>(u.hi);
+        let excess = DoubleDouble { hi: excess.hi, lo: excess.lo + u.lo * slope };
+        if part == Part::Ordinary {
+            return excess.div_double(epsilon * epsilon).round();
+        }
+        let excess = DoubleDouble::select(u.hi.is_above(HUGE), u, excess);
+        let back = select(epsilon.is_above(STRONG), STRONG_BACK, 1.0);
+        let divisor = epsilon * back;
+        let value = excess.div_double(divisor * divisor).round() * back * back;
+        let half_square = 0.5 * self.lifted().squared().round();
+        select(u.hi.is_below(FLAT), half_square * (1.0 / LIFT / LIFT), value)
     }
 
     /// `t = sin α ln(1 + u)/u`
@@ -43,11 +71,12 @@ impl Launch {
     /// `θ = α − arctan τ`, `τ = (1 − G) sin α cos α / (1 − (1 − G) sin²α)`: equation (10), and τ² is at
     /// most 1/8
     #[inline(always)]
-    fn elevation(&self, alpha: Number, drag: &Quotients) -> Number {
-        let (loss, whole) = drag.loss();
-        let lifted = self.lifted().times(loss);
-        let divisor = whole.sub_smaller(lifted.times(self.sin).scale(1.0 / LIFT));
-        let tau = lifted.times(self.cos).div(divisor).scale(1.0 / LIFT);
+    fn elevation(&self, alpha: Number) -> Number {
+        let Drag { loss, square, .. } = Drag::at(self.u.hi);
+        // further lifted, for the loss may be as small as 2⁻¹²¹
+        let lifted = self.sin.scale(LARGE).times(loss);
+        let divisor = square.sub_smaller(lifted.times(self.sin).scale(SMALL));
+        let tau = lifted.times(self.cos).div(divisor).scale(SMALL);
         let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
     }
@@ -58,13 +87,12 @@ impl Launch {
 #[inline(always)]
 pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
-    let drag = Quotients::at(launch.u.hi);
     let sin2 = launch.sin.squared();
     (
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
-        within_domain(alpha, eps, launch.y(&drag)),
-        within_domain(alpha, eps, launch.elevation(alpha, &drag)),
+        within_domain(alpha, eps, launch.y(eps, Part::Whole)),
+        within_domain(alpha, eps, launch.elevation(alpha)),
         within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
@@ -83,6 +111,17 @@ pub fn apex_x(alpha: Number, eps: Number) -> Number {
 #[inline(always)]
 pub fn apex_y(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).1
+}
+
+/// `apex_y` without what only the strongest drag and next to none of it need; ∞ for them, and outside
+/// the domain.
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
+#[inline(always)]
+pub(crate) fn apex_y_ordinary(alpha: Number, eps: Number) -> Number {
+    let launch = Launch::at(alpha, eps);
+    let enough = (launch.sin.hi * greater(WEAK, eps)).is_at_least(FLAT);
+    let ordinary = enough & eps.is_at_most(STRONG) & is_angle(alpha);
+    select(ordinary, launch.y(eps, Part::Ordinary), f64::INFINITY)
 }
 
 /// Time from launch to apex, `ln(1 + ε sin α)/ε`, in V₀/g.

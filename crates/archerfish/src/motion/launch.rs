@@ -2,7 +2,7 @@
 
 use super::super::real::double_double::{DoubleDouble, rest_of_product};
 use super::super::real::{Digits, Mask, Number, Order, lesser, select, sin_cos_upper};
-use super::drag::Quotients;
+use super::drag::Drag;
 
 /// A launch at angle α with drag parameter ε.
 pub(crate) struct Launch {
@@ -56,9 +56,15 @@ impl Launch {
     /// `G(u)`
     #[inline(always)]
     pub fn gain(&self) -> DoubleDouble {
-        let (loss, whole) = Quotients::at(self.u.hi).loss();
-        whole.sub_smaller(loss).div(whole)
+        let Drag { loss, square, .. } = Drag::at(self.u.hi);
+        square.sub_smaller(loss).div(square)
     }
+}
+
+/// Whether the angle is in [0, π].
+#[inline(always)]
+pub(crate) fn is_angle(angle: Number) -> Mask {
+    lesser(angle, core::f64::consts::PI - angle).is_at_least(0.0)
 }
 
 /// Whether neither is below what the functions of this module take, nor the angle above.

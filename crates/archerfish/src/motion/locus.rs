@@ -10,9 +10,7 @@
 //! digit; its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β
 //! with it, without a further series.
 
-use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, rest_of_product, two_square, two_sum_positive,
-};
+use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_square};
 use super::super::real::{
     Digits, Mask, Number, Order, atan_bend, lesser, polynomial, select, sin_cos_upper, sqrt,
 };
@@ -188,15 +186,14 @@ fn step(
     let sin_alpha = up.hi * cos_beta;
     let cos_alpha = (cos.hi - tau * sin) * cos_beta;
     let drag = Drag::at(u);
-    let Drag { sigma, sigma_rest, a } = drag;
+    let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
+    let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
 
-    // how far τ is from the right side: 1 − G is (1 + (1 + u) a)/(2 + u)
-    let rest = two_sum_positive(1.0, (1.0 + u) * a);
-    let divisor = two_sum_positive(u, 2.0);
-    let product = up.times(cos).times(rest).div_by(divisor, 0.5 * sigma_rest);
+    // how far τ is from the right side
+    let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
     let value = (product.hi - tau) + product.lo;
     let cos = cos.hi;
-    let (cos2, gain_rest) = (cos * cos, drag.gain_rest());
+    let cos2 = cos * cos;
     let gain = 1.0 - gain_rest;
     let bottom = (1.0 - gain_rest * cos2) * secant_square + tau * value;
     let stretch = sin * sin + gain * gain * cos2;
@@ -204,12 +201,12 @@ fn step(
     let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
     let slope = select(slope.is_above(0.0), slope, 1.0);
 
-    let sigma_plus_one = 1.0 + sigma;
-    let (left, right) = (bottom * slope, stretch * sigma_plus_one);
+    let q = 1.0 + u;
+    let (left, right) = (bottom * slope, stretch * q);
     let inverse = 1.0 / (left * right);
-    // here, while the division is under way (bench/NOTES.md, "Order"); 1 + u is (1 + σ)/(1 − σ)
+    // here, while the division is under way (bench/NOTES.md, "Order")
     let turned = a * cos_alpha;
-    let e_top = (2.0 - (4.0 + u) * gain_rest) * sigma_rest;
+    let e_top = 2.0 - (4.0 + u) * gain_rest;
     let cos_alpha2 = cos_alpha * cos_alpha;
     let turned_square = 2.0 * gain * (turned * turned);
     let across = sin * cos;
@@ -219,7 +216,7 @@ fn step(
     let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
     let by_slope = by_left * bottom;
     let e = e_top * (by_right * stretch);
-    let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * sigma_plus_one));
+    let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
     let newton = residual * stretch * by_slope;
     let quadratic = 0.5 * bend * (across * by_slope);
     sin_alpha * (newton - newton * newton * quadratic)

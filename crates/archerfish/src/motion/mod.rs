@@ -13,6 +13,8 @@ mod drag;
 mod launch;
 mod locus;
 
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
+pub(crate) use apex::apex_y_ordinary;
 pub use apex::{apex, apex_distance, apex_elevation, apex_time, apex_x, apex_y};
 pub use curvature::{apex_curvature, locus_curvature};
 pub use derivatives::{

@@ -17,7 +17,7 @@ mod sqrt;
 mod trigonometric;
 
 pub(crate) use super::{Integer, Mask, Number, constant};
-pub(crate) use crate::number::{Bits, Order};
+pub(crate) use crate::number::{Bits, LookUp, Order, Table};
 
 pub use atan::{atan, atan2};
 pub use exp::{exp, exp_m1};
@@ -30,9 +30,15 @@ pub(crate) use atan::{angle, angle_all_round, atan_bend};
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 #[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
-pub(crate) use log1pmx::log1pmx_ordinary;
+pub(crate) use log1pmx::{log_excess, log1pmx_ordinary};
 pub(crate) use polynomial::{polynomial, polynomial_by};
 pub(crate) use trigonometric::{Digits, sin_cos_extended, sin_cos_upper};
+
+/// The number of a table at the last four bits of the index.
+#[inline(always)]
+pub(crate) fn look_up(table: &Table, index: Integer) -> Number {
+    Number::look_up(table, index)
+}
 
 /// `a` where the condition holds, else `b`: both are computed, one is kept.
 #[inline(always)]
@@ -102,6 +108,9 @@ pub(crate) fn power_and_inverse(w: Number) -> (Number, (Number, Number)) {
 pub(crate) fn exponent_field(w: Number) -> Number {
     // the bits of 2⁵² + n hold the integer n
     const TWO_52: f64 = 4503599627370496.0;
+    if let Some(exponent) = w.exponent() {
+        return exponent;
+    }
     Number::from_bits((w.to_bits() >> 52) | TWO_52.to_bits()) - (TWO_52 + 1023.0)
 }
 
