@@ -93,6 +93,16 @@ def sin_tail(z):
     )(z)
 
 
+def long_sin_tail(z):
+    """(sin(√z)/√z − 1 + c z) / z², c being the double nearest 1/6: what that errs grows with z, too."""
+    rest = mp.mpf(1 / 6) - mp.mpf(1) / 6
+    exact = taylor_near_zero(
+        lambda t: (mp.sin(mp.sqrt(t)) / mp.sqrt(t) - 1 + t / 6) / t**2,
+        lambda k: (-1) ** k / mp.factorial(2 * k + 5),
+    )(z)
+    return exact + (rest / z if z else 0)
+
+
 def cos_tail(z):
     """(cos √z − 1 + z/2) / z²."""
     return taylor_near_zero(
@@ -151,6 +161,7 @@ def aim_exp_tail(r):
 HALF_LN2 = mp.log(2) / 2 * mp.mpf("1.0001")
 ATANH_END = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2 * mp.mpf("1.0001")
 QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
+HALF_PI = (mp.pi / 2) ** 2 * mp.mpf("1.0001")
 TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
 LOG_STEP = mp.mpf("0.03126")
@@ -162,6 +173,7 @@ FITS = {
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "log_tail": Fit(log_tail, -LOG_STEP, LOG_STEP, 8, abs),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
+    "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 4, one),
     "aim_exp_tail": Fit(aim_exp_tail, -HALF_LN2, HALF_LN2, 5, lambda r: abs(r) ** 3),
@@ -170,7 +182,7 @@ FITS = {
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
-    "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 9, lambda z: z),
+    "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 8, lambda z: z),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
 

@@ -1,7 +1,10 @@
 //! The apex of one shot, by launch angle: equations (7), (8), (10).
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
-use super::super::real::{Logarithm, Number, Order, atan_bend, greater, log_excess, select};
+use super::super::real::{
+    Logarithm, Number, Order, atan_bend, greater, log_excess, select, sin_upper,
+};
+use super::curvature::curvature;
 use super::drag::Drag;
 use super::launch::{LARGE, LIFT, Launch, SMALL, is_angle, is_within, within_domain};
 
@@ -30,25 +33,6 @@ impl Launch {
         lifted.quotient(self.q_of_rounded()) * (1.0 / LIFT)
     }
 
-    /// `y = sin²α φ(u)`, as `(u − ln(1 + u))/ε²`
-    #[inline(always)]
-    fn y(&self, epsilon: Number, part: Part) -> Number {
-        // φ is 1/2 − u/3 below WEAK, to 2⁻⁶⁰
-        let epsilon = greater(WEAK, epsilon);
-        let u = self.sin.times_double(epsilon);
-        let (excess, slope) = log_excess::<true>(u.hi);
-        let excess = DoubleDouble { hi: excess.hi, lo: excess.lo + u.lo * slope };
-        if part == Part::Ordinary {
-            return excess.div_double(epsilon * epsilon).round();
-        }
-        let excess = DoubleDouble::select(u.hi.is_above(HUGE), u, excess);
-        let back = select(epsilon.is_above(STRONG), STRONG_BACK, 1.0);
-        let divisor = epsilon * back;
-        let value = excess.div_double(divisor * divisor).round() * back * back;
-        let half_square = 0.5 * self.lifted().squared().round();
-        select(u.hi.is_below(FLAT), half_square * (1.0 / LIFT / LIFT), value)
-    }
-
     /// `t = sin α ln(1 + u)/u`
     #[inline(always)]
     fn time(&self) -> Number {
@@ -75,11 +59,32 @@ impl Launch {
         let Drag { loss, square, .. } = Drag::at(self.u.hi);
         // further lifted, for the loss may be as small as 2⁻¹²¹
         let lifted = self.sin.scale(LARGE).times(loss);
-        let divisor = square.sub_smaller(lifted.times(self.sin).scale(SMALL));
+        let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * SMALL));
+        let divisor = DoubleDouble { hi: divisor.hi, lo: divisor.lo + square.lo };
         let tau = lifted.times(self.cos).div(divisor).scale(SMALL);
         let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
     }
+}
+
+/// `y = sin²α φ(u)`, as `(u − ln(1 + u))/ε²`, given sin α.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn height(sin: DoubleDouble, epsilon: Number, part: Part) -> Number {
+    // φ is 1/2 − u/3 below WEAK, to 2⁻⁶⁰
+    let epsilon = greater(WEAK, epsilon);
+    let u = sin.times_double(epsilon);
+    let (excess, slope) = log_excess::<true>(u.hi);
+    let excess = DoubleDouble { hi: excess.hi, lo: excess.lo + u.lo * slope };
+    if part == Part::Ordinary {
+        return excess.div_double(epsilon * epsilon).round();
+    }
+    let excess = DoubleDouble::select(u.hi.is_above(HUGE), u, excess);
+    let back = select(epsilon.is_above(STRONG), STRONG_BACK, 1.0);
+    let divisor = epsilon * back;
+    let value = excess.div_double(divisor * divisor).round() * back * back;
+    let half_square = 0.5 * sin.scale(LIFT).squared().round();
+    select(u.hi.is_below(FLAT), half_square * (1.0 / LIFT / LIFT), value)
 }
 
 /// x, y, elevation and curvature of the locus at the apex, each to the bit as its own function gives
@@ -87,13 +92,14 @@ impl Launch {
 #[inline(always)]
 pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
-    let sin2 = launch.sin.squared();
+    let sin = sin_upper(alpha);
+    let sin2 = sin.squared();
     (
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
-        within_domain(alpha, eps, launch.y(eps, Part::Whole)),
+        within_domain(alpha, eps, height(sin, eps, Part::Whole)),
         within_domain(alpha, eps, launch.elevation(alpha)),
-        within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
+        within_domain(alpha, eps, curvature(sin, sin2, sin2.complement(), eps)),
     )
 }
 
@@ -118,10 +124,10 @@ pub fn apex_y(alpha: Number, eps: Number) -> Number {
 #[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn apex_y_ordinary(alpha: Number, eps: Number) -> Number {
-    let launch = Launch::at(alpha, eps);
-    let enough = (launch.sin.hi * greater(WEAK, eps)).is_at_least(FLAT);
+    let sin = sin_upper(alpha);
+    let enough = (sin.hi * greater(WEAK, eps)).is_at_least(FLAT);
     let ordinary = enough & eps.is_at_most(STRONG) & is_angle(alpha);
-    select(ordinary, launch.y(eps, Part::Ordinary), f64::INFINITY)
+    select(ordinary, height(sin, eps, Part::Ordinary), f64::INFINITY)
 }
 
 /// Time from launch to apex, `ln(1 + ε sin α)/ε`, in V₀/g.

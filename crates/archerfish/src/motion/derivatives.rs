@@ -14,7 +14,7 @@
 //! f is q sin α/B as well; so written, the errors that the one of α makes in the factors cancel.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{Number, Order, greater, select};
+use super::super::real::{Digits, Number, Order, greater, select};
 use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
 use super::locus::Elevated;
@@ -79,7 +79,7 @@ fn derivatives(theta: Number, eps: Number) -> (Number, Number) {
     let angle = greater(LEAST, angle);
     let epsilon = eps * scale(LARGE, 1.0 / LIFT);
     let back = scale(SMALL, LIFT);
-    let (first, second) = Elevated::new(angle, epsilon).launch_angle_derivatives();
+    let (first, second) = Elevated::new(angle, epsilon, Digits::More).launch_angle_derivatives();
     (within_domain(theta, eps, first), within_domain(theta, eps, second * back))
 }
 

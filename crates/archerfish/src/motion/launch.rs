@@ -35,14 +35,10 @@ impl Launch {
         Launch::new(sin, cos, epsilon)
     }
 
-    /// `q = 1 + u`, of the product itself: `two_sum` with u as it is before it is rounded.
+    /// `q = 1 + u`
     #[inline(always)]
     pub fn q(&self) -> DoubleDouble {
-        let hi = 1.0 + self.sin.hi * self.epsilon;
-        let u = hi - 1.0;
-        let one_rest = 1.0 - (hi - u);
-        let u_rest = rest_of_product(u, self.sin.hi, self.epsilon);
-        DoubleDouble { hi, lo: (self.sin.lo * self.epsilon + one_rest) - u_rest }
+        q(self.sin, self.epsilon)
     }
 
     /// `q` of the rounded sine; without what the 1 leaves behind where it is less than a unit in the
@@ -59,6 +55,16 @@ impl Launch {
         let Drag { loss, square, .. } = Drag::at(self.u.hi);
         square.sub_smaller(loss).div(square)
     }
+}
+
+/// `q = 1 + ε sin α`, of the product itself: `two_sum` with ε sin α as it is before it is rounded.
+#[inline(always)]
+pub(super) fn q(sin: DoubleDouble, epsilon: Number) -> DoubleDouble {
+    let hi = 1.0 + sin.hi * epsilon;
+    let u = hi - 1.0;
+    let one_rest = 1.0 - (hi - u);
+    let u_rest = rest_of_product(u, sin.hi, epsilon);
+    DoubleDouble { hi, lo: (sin.lo * epsilon + one_rest) - u_rest }
 }
 
 /// Whether the angle is in [0, π].

@@ -10,7 +10,9 @@
 //! digit; its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β
 //! with it, without a further series.
 
-use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_square};
+use super::super::real::double_double::{
+    DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
+};
 use super::super::real::{
     Digits, Mask, Number, Order, atan_bend, lesser, polynomial, select, sin_cos_upper, sqrt,
 };
@@ -56,8 +58,8 @@ impl Elevated {
     /// Solves equation (10) for the launch, given the elevation θ of its apex in [0, π].
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn new(theta: Number, epsilon: Number) -> Self {
-        let (sin_theta, cos_theta) = sin_cos_upper(theta, Digits::More);
+    pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
+        let (sin_theta, cos_theta) = sin_cos_upper(theta, digits);
         let mirrored = cos_theta.hi.is_below(0.0);
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
@@ -65,10 +67,16 @@ impl Elevated {
         let secant = Secant::of_tan(tau);
         let bend = atan_bend(tau);
         let inverse = 1.0 / secant.root;
-        let up = sin_theta.add_smaller(cos_theta.times_double(tau));
+        let up = sin_theta.add_smaller(match digits {
+            Digits::More => cos_theta.times_double(tau),
+            Digits::Enough => two_product(cos_theta.hi, tau),
+        });
         let cos_beta = secant.inverse(inverse);
-        let u = up.times(cos_beta).times_double(epsilon).round();
-        let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u);
+        let u = match digits {
+            Digits::More => up.times(cos_beta).times_double(epsilon).round(),
+            Digits::Enough => up.hi * cos_beta.hi * epsilon,
+        };
+        let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u, digits);
         Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, bend, step }
     }
 
@@ -181,6 +189,7 @@ fn step(
     up: DoubleDouble,
     cos_beta: Number,
     u: Number,
+    digits: Digits,
 ) -> Number {
     let secant_square = 1.0 + tau * tau;
     let sin_alpha = up.hi * cos_beta;
@@ -190,8 +199,17 @@ fn step(
     let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
 
     // how far τ is from the right side
-    let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
-    let value = (product.hi - tau) + product.lo;
+    let value = match digits {
+        Digits::More => {
+            let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
+            (product.hi - tau) + product.lo
+        }
+        Digits::Enough => {
+            let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
+            let product = drag.loss.div_by(drag.square, inverse).times(across);
+            (product.hi - tau) + product.lo
+        }
+    };
     let cos = cos.hi;
     let cos2 = cos * cos;
     let gain = 1.0 - gain_rest;
@@ -228,7 +246,7 @@ fn step(
 #[inline(always)]
 pub fn locus_launch_angle(theta: Number, eps: Number) -> Number {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
-    within_domain(theta, eps, Elevated::new(angle, epsilon).launch_angle() * back)
+    within_domain(theta, eps, Elevated::new(angle, epsilon, Digits::Enough).launch_angle() * back)
 }
 
 /// Distance r̃(θ) of the locus from the launch point, in V₀²/g.  [Eq. 13]
@@ -237,5 +255,5 @@ pub fn locus_launch_angle(theta: Number, eps: Number) -> Number {
 #[inline(always)]
 pub fn locus_radius(theta: Number, eps: Number) -> Number {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
-    within_domain(theta, eps, Elevated::new(angle, epsilon).radius() * back)
+    within_domain(theta, eps, Elevated::new(angle, epsilon, Digits::More).radius() * back)
 }
