@@ -1,6 +1,6 @@
 //! One shape for the core's slice functions of one, two and three numbers.
 
-use archerfish::batch::{BinaryBatch, TernaryBatch, UnaryBatch};
+use archerfish::batch::{BinaryBatch, TernaryBatch, UnaryBatch, holds_nan};
 
 /// Most inputs a kernel takes.
 pub const MAX_INPUTS: usize = 3;
@@ -38,9 +38,4 @@ impl Kernel {
     fn any_nan(self, x: [&[f64]; MAX_INPUTS], i: usize) -> bool {
         x[..self.inputs()].iter().any(|input| input[i].is_nan())
     }
-}
-
-/// Whether a slice holds a NaN. A fold, not `any`: without a way out in the middle it vectorises.
-fn holds_nan(values: &[f64]) -> bool {
-    values.iter().fold(false, |found, value| found | value.is_nan())
 }

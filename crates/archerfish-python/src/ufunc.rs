@@ -23,6 +23,10 @@ use crate::kernel::{Kernel, MAX_INPUTS};
 /// Elements in a block: three blocks of `f64` take 6 KiB, well inside the first-level cache.
 const BLOCK: usize = 256;
 
+/// Elements that a kernel is given at once where nothing is copied: the results are looked through
+/// for NaN afterwards, and are still in the first-level cache.
+const STRETCH: usize = 2048;
+
 /// Elements in a block for operands no longer than that, for whom clearing 6 KiB would take longer
 /// than everything else.
 const SMALL: usize = 8;
@@ -241,7 +245,13 @@ unsafe fn in_blocks<T: Element, const SIZE: usize>(
     // An output that runs into an input out of step (`accumulate` and `reduce` do this) means
     // element by element, each seeing what the one before it wrote.
     let in_step = (0..used).all(|k| apart[k] || inputs[k].coincides_with(output, size));
-    let block = if in_step { SIZE } else { 1 };
+    let plain =
+        T::IS_F64 && output.is_slice() && (0..used).all(|k| apart[k] && inputs[k].is_slice());
+    let block = match (in_step, plain) {
+        (false, _) => 1,
+        (true, false) => SIZE,
+        (true, true) => STRETCH,
+    };
 
     let mut copies = [[0.0; SIZE]; MAX_INPUTS];
     let mut results = [0.0; SIZE];

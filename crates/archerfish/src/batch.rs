@@ -5,7 +5,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 use crate::dispatch::batch;
 #[cfg(not(target_arch = "wasm32"))]
-pub use crate::dispatch::isa_name;
+pub use crate::dispatch::{holds_nan, isa_name};
 #[cfg(target_arch = "wasm32")]
 use crate::pairs::batch;
 

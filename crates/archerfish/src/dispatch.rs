@@ -56,6 +56,35 @@ pub fn isa_name() -> &'static str {
     }
 }
 
+/// Whether a slice holds a NaN. (A fold, not `any`: without a way out in the middle it is vectorised.)
+#[inline(always)]
+fn any_nan(values: &[f64]) -> bool {
+    values.iter().fold(false, |found, value| found | value.is_nan())
+}
+
+/// Whether a slice holds a NaN.
+pub fn holds_nan(values: &[f64]) -> bool {
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn avx2(values: &[f64]) -> bool {
+        any_nan(values)
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+    fn avx512(values: &[f64]) -> bool {
+        any_nan(values)
+    }
+    match isa() {
+        Isa::Baseline => any_nan(values),
+        // SAFETY: `isa` returns a set only after finding it on this machine.
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx2 => unsafe { avx2(values) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx512 => unsafe { avx512(values) },
+    }
+}
+
 /// Defines a function that fills one slice with the values of a kernel at others.
 macro_rules! each {
     ($name:ident, $kernel:path, $($x:ident),+) => {

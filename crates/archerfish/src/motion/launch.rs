@@ -41,8 +41,7 @@ impl Launch {
         q(self.sin, self.epsilon)
     }
 
-    /// `q` of the rounded sine; without what the 1 leaves behind where it is less than a unit in the
-    /// last place of u.
+    /// `q` of the rounded sine, as `q_without_one_rest`.
     #[inline(always)]
     pub fn q_of_rounded(&self) -> DoubleDouble {
         let hi = 1.0 + self.sin.hi * self.epsilon;
@@ -65,6 +64,14 @@ pub(super) fn q(sin: DoubleDouble, epsilon: Number) -> DoubleDouble {
     let one_rest = 1.0 - (hi - u);
     let u_rest = rest_of_product(u, sin.hi, epsilon);
     DoubleDouble { hi, lo: (sin.lo * epsilon + one_rest) - u_rest }
+}
+
+/// `q` without what the 1 leaves behind where it is less than a unit in the last place of u.
+#[inline(always)]
+pub(super) fn q_without_one_rest(sin: DoubleDouble, epsilon: Number) -> DoubleDouble {
+    let hi = 1.0 + sin.hi * epsilon;
+    let u_rest = rest_of_product(hi - 1.0, sin.hi, epsilon);
+    DoubleDouble { hi, lo: sin.lo * epsilon - u_rest }
 }
 
 /// Whether the angle is in [0, π].

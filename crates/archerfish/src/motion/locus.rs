@@ -17,7 +17,7 @@ use super::super::real::{
     Digits, Mask, Number, Order, atan_bend, lesser, polynomial, select, sin_cos_upper, sqrt,
 };
 use super::drag::Drag;
-use super::launch::{Launch, Scaled, within_domain};
+use super::launch::{Launch, Scaled, q_without_one_rest, within_domain};
 
 // rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
 const ROUGH_GAIN_TOP: [f64; 5] = [1.000003117, 44.77477818, 251.6053412, 167.0320133, -18.25660729];
@@ -59,7 +59,7 @@ impl Elevated {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
-        let (sin_theta, cos_theta) = sin_cos_upper(theta, digits);
+        let (sin_theta, cos_theta) = sin_cos_upper(theta, Digits::Enough);
         let mirrored = cos_theta.hi.is_below(0.0);
         let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
@@ -95,9 +95,8 @@ impl Elevated {
         let along = self.cos_theta.sub_smaller(self.sin_theta.times_double(self.tau));
         let (sin, cos) = (self.up.times(self.cos_beta), along.times(self.cos_beta));
         let half_square = 0.5 * self.step * self.step;
-        let cube = half_square * self.step * (1.0 / 3.0);
-        let sin_change = self.step * cos.hi - half_square * sin.hi - cube * cos.hi;
-        let cos_change = self.step * -sin.hi - half_square * cos.hi - cube * -sin.hi;
+        let sin_change = self.step * cos.hi - half_square * sin.hi;
+        let cos_change = self.step * -sin.hi - half_square * cos.hi;
         (fast_two_sum(sin.hi, sin.lo + sin_change), fast_two_sum(cos.hi, cos.lo + cos_change))
     }
 
@@ -112,8 +111,8 @@ impl Elevated {
     #[inline(always)]
     fn radius(&self) -> Number {
         let (sin, cos) = self.direction();
-        let q = sin.times_double(self.epsilon).add_positive(1.0);
-        sin.times(cos).quotient(q.times(self.cos_theta))
+        let q = q_without_one_rest(sin, self.epsilon);
+        sin.times(cos).quotient(q.times_double(self.cos_theta.hi))
     }
 }
 
