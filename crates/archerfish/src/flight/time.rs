@@ -1,7 +1,7 @@
 //! Time of flight.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{Digits, Mask, Number, Order, select, sin_cos_upper};
+use super::super::real::{Mask, Number, Order, select, sin_cos_upper};
 use super::domain::{is_drag, is_rising};
 use super::landing::{Landing, landing, start};
 
@@ -23,7 +23,7 @@ impl LevelShot {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(alpha: Number, epsilon: Number) -> Self {
-        let (sin, cos) = sin_cos_upper(alpha, Digits::Enough);
+        let (sin, cos) = sin_cos_upper(alpha);
         let u = sin.times_double(epsilon);
         let h = start(u.hi);
         // here, while the division of the start is under way (bench/NOTES.md, "Order")

@@ -5,10 +5,10 @@
 //! moderate size; S (1 − 2A) is negative where A > 1/2, but then A² is twice its size at least.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_product};
-use super::super::real::{Digits, Number, Order, select, sqrt};
+use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
 use super::launch::{LIFT, q, within_domain};
-use super::locus::Elevated;
+use super::locus::{Digits, Elevated};
 
 /// 2⁶⁰⁰
 const LARGE: f64 = f64::from_bits((1023 + 600) << 52);

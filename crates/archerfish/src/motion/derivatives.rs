@@ -14,10 +14,10 @@
 //! f is q sin α/B as well; so written, the errors that the one of α makes in the factors cancel.
 
 use super::super::real::double_double::DoubleDouble;
-use super::super::real::{Digits, Number, Order, greater, select};
+use super::super::real::{Number, Order, greater, select};
 use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
-use super::locus::Elevated;
+use super::locus::{Digits, Elevated};
 
 /// 2⁻⁹⁰⁰, 2⁻⁸⁰⁰ and 2⁻³³⁰
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
@@ -62,7 +62,7 @@ impl Elevated {
         let f = sin.div(self.sin_theta.add_positives(higher.times(cos).scale(2.0 / LIFT).times(a)));
         let drag = DoubleDouble::from(self.epsilon).div(q).times(f);
         let second = w.plus(drag.times(c)).times(f).times(first);
-        let sign = select(self.mirrored, 1.0, -1.0);
+        let sign = select(self.right, -1.0, 1.0);
         (first.round(), sign * second.quotient(q_plus_one))
     }
 }

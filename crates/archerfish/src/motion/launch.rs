@@ -1,7 +1,7 @@
 //! One launch: the direction, and the drag it meets.
 
 use super::super::real::double_double::{DoubleDouble, rest_of_product};
-use super::super::real::{Digits, Mask, Number, Order, lesser, select, sin_cos_upper};
+use super::super::real::{Mask, Number, Order, lesser, select, sin_cos_upper};
 use super::drag::Drag;
 
 /// A launch at angle α with drag parameter ε.
@@ -31,7 +31,7 @@ impl Launch {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(alpha: Number, epsilon: Number) -> Self {
-        let (sin, cos) = sin_cos_upper(alpha, Digits::Enough);
+        let (sin, cos) = sin_cos_upper(alpha);
         Launch::new(sin, cos, epsilon)
     }
 

@@ -14,7 +14,7 @@ use super::super::real::double_double::{
     DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
 };
 use super::super::real::{
-    Digits, Mask, Number, Order, atan_bend, lesser, polynomial, select, sin_cos_upper, sqrt,
+    Mask, Number, atan_bend, lesser, polynomial, select, sin_cos_mirrored, sqrt,
 };
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, q_without_one_rest, within_domain};
@@ -34,14 +34,23 @@ const ROUGH_ROOT: [f64; 3] = [0.4643173479, 0.01417694834, 0.3340496884];
 const ROUGH_GAIN_SLOPE: [f64; 6] =
     [-9.308471175e-06, 0.02536088662, 7.435762406, 158.6600913, -39.50637987, -126.6566319];
 
+/// How well the launch is wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Digits {
+    /// for what magnifies its error
+    More,
+    /// for itself
+    Enough,
+}
+
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
     /// |cos θ|
     pub cos_theta: DoubleDouble,
     pub epsilon: Number,
-    /// whether θ > π/2
-    pub mirrored: Mask,
+    /// whether θ ≤ π/2
+    pub right: Mask,
     theta: Number,
     /// `τ = tan β₀`
     tau: Number,
@@ -59,9 +68,7 @@ impl Elevated {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
-        let (sin_theta, cos_theta) = sin_cos_upper(theta, Digits::Enough);
-        let mirrored = cos_theta.hi.is_below(0.0);
-        let cos_theta = DoubleDouble::select(mirrored, cos_theta.neg(), cos_theta);
+        let (sin_theta, cos_theta, right) = sin_cos_mirrored(theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
         // each while the root or the division before it is under way (bench/NOTES.md, "Order")
         let secant = Secant::of_tan(tau);
@@ -77,13 +84,13 @@ impl Elevated {
             Digits::Enough => up.hi * cos_beta.hi * epsilon,
         };
         let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u, digits);
-        Elevated { sin_theta, cos_theta, epsilon, mirrored, theta, tau, up, cos_beta, bend, step }
+        Elevated { sin_theta, cos_theta, epsilon, right, theta, tau, up, cos_beta, bend, step }
     }
 
     /// α in [0, π]
     #[inline(always)]
     pub fn launch_angle(&self) -> Number {
-        let sign = select(self.mirrored, -1.0, 1.0);
+        let sign = select(self.right, 1.0, -1.0);
         let sum = fast_two_sum(self.theta, sign * self.tau);
         sum.hi + (sum.lo + sign * (self.step + self.bend))
     }
@@ -104,7 +111,7 @@ impl Elevated {
     #[inline(always)]
     pub fn launch(&self) -> Launch {
         let (sin, cos) = self.direction();
-        Launch::new(sin, DoubleDouble::select(self.mirrored, cos.neg(), cos), self.epsilon)
+        Launch::new(sin, DoubleDouble::select(self.right, cos, cos.neg()), self.epsilon)
     }
 
     /// `r̃ = x / cos θ = sin α (cos α / cos θ) / (1 + u)`
@@ -216,7 +223,7 @@ fn step(
     let stretch = sin * sin + gain * gain * cos2;
     // 1 less the derivative of the right side by α, times what makes it positive
     let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
-    let slope = select(slope.is_above(0.0), slope, 1.0);
+    let slope = slope + 1e-290;
 
     let q = 1.0 + u;
     let (left, right) = (bottom * slope, stretch * q);

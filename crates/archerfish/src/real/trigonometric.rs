@@ -99,27 +99,33 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     )
 }
 
-/// `sin x` and `cos x` for x in [0, π], as `sin_cos_extended`.
+/// `sin x` and `|cos x|` for x in [0, π], each to 2⁻⁵⁴ of itself, and whether x is at most π/2.
 ///
 /// The left of the half-turn is the mirror image, and the steep half of what is left that of the other.
 /// The differences to π and π/2 are exact where they are kept; their small parts stay apart, for
 /// nothing here is less than them but 0.
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-pub(crate) fn sin_cos_upper(x: Number, digits: Digits) -> (DoubleDouble, DoubleDouble) {
+pub(crate) fn sin_cos_mirrored(x: Number) -> (DoubleDouble, DoubleDouble, Mask) {
     use core::f64::consts::{FRAC_PI_2, PI};
     const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
     let mirrored = PI - x;
-    let right = x.is_below(mirrored);
-    let y = select(right, x, mirrored);
+    let y = lesser(x, mirrored);
+    // the double next to π/2 lies below it, and is its own mirror image
+    let right = x.is_at_most(mirrored);
     let y_lo = select(right, 0.0, 2.0 * FRAC_PI_2_LO);
     let across = FRAC_PI_2 - y;
     let steep = across.is_below(y);
-    let r =
-        DoubleDouble { hi: select(steep, across, y), lo: select(steep, FRAC_PI_2_LO - y_lo, y_lo) };
-    let (sin, cos) = sin_cos_reduced(r, digits);
-    let along = DoubleDouble::select(steep, sin, cos);
-    (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(right, along, along.neg()))
+    let r = DoubleDouble { hi: lesser(across, y), lo: select(steep, FRAC_PI_2_LO - y_lo, y_lo) };
+    let (sin, cos) = sin_cos_reduced(r, Digits::Enough);
+    (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(steep, sin, cos), right)
+}
+
+/// `sin x` and `cos x` for x in [0, π], each to 2⁻⁵⁴ of itself.
+#[inline(always)]
+pub(crate) fn sin_cos_upper(x: Number) -> (DoubleDouble, DoubleDouble) {
+    let (sin, along, right) = sin_cos_mirrored(x);
+    (sin, DoubleDouble::select(right, along, along.neg()))
 }
 
 /// `sin x` for x in [0, π] where no cosine is asked for, to 2⁻⁵⁵ of itself: by one polynomial up to the
