@@ -119,6 +119,16 @@ def atan_tail(z):
     )(z)
 
 
+def half_tan(z):
+    """tan(β/2)/tan β as a function of tan²β."""
+    return 1 / (1 + mp.sqrt(1 + z))
+
+
+def twice_atan_tail(z):
+    """2 (arctan(√z)/√z − 1) / z."""
+    return 2 * atan_tail(z)
+
+
 def branch_tail(branch):
     """(v − p + p²/3) / p³ with v = 1 + W and p = ±√(2(1 + ez)), + on the principal branch."""
     taylor = ["11/72", "-43/540", "769/17280", "-221/8505", "680863/43545600", "-1963/204120"]
@@ -182,6 +192,8 @@ FITS = {
     "rough_atan": Fit(rough_atan, 0, mp.mpf("0.1251"), 4, one),
     "principal_tail": Fit(branch_tail(0), 0, mp.mpf("0.501"), 13, lambda p: p * p),
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
+    "half_tan": Fit(half_tan, 0, mp.mpf("0.126"), 3, one),
+    "half_atan_tail": Fit(twice_atan_tail, 0, mp.mpf("0.0298"), 6, lambda z: z),
     "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 8, lambda z: z),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }

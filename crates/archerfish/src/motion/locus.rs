@@ -11,11 +11,9 @@
 //! with it, without a further series.
 
 use super::super::real::double_double::{
-    DoubleDouble, fast_two_sum, rest_of_product, two_product, two_square,
+    DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
 };
-use super::super::real::{
-    Mask, Number, atan_bend, lesser, polynomial, select, sin_cos_mirrored, sqrt,
-};
+use super::super::real::{Mask, Number, lesser, polynomial, select, sin_cos_mirrored, sqrt};
 use super::drag::Drag;
 use super::launch::{Launch, Scaled, q_without_one_rest, within_domain};
 
@@ -43,6 +41,22 @@ pub(crate) enum Digits {
     Enough,
 }
 
+// half_tan: minimax on [0.0, 0.126], degree 3,
+// weighted error 4.29e-8: reference/coefficients.py half_tan
+const HALF_TAN: [f64; 4] =
+    [0.49999995705855144, -0.1249888393506859, 0.062044781068730306, -0.033003663798861486];
+// half_atan_tail: minimax on [0.0, 0.0298], degree 6,
+// weighted error 3.71e-18: reference/coefficients.py half_atan_tail
+const HALF_ATAN_TAIL: [f64; 7] = [
+    -0.6666666666666609,
+    0.399999999994961,
+    -0.28571428424883,
+    0.22222201996602586,
+    -0.1818032236300385,
+    0.1532357060686162,
+    -0.12028720885296493,
+];
+
 /// The shot whose apex is seen at a given elevation.
 pub(crate) struct Elevated {
     pub sin_theta: DoubleDouble,
@@ -52,13 +66,14 @@ pub(crate) struct Elevated {
     /// whether θ ≤ π/2
     pub right: Mask,
     theta: Number,
-    /// `τ = tan β₀`
-    tau: Number,
-    /// `sin θ + τ cos θ`, which is sin(θ + β₀)/cos β₀
+    /// `t = tan(β₀/2)`
+    half_tan: Number,
+    /// `1 − t²`
+    rest: DoubleDouble,
+    /// `1/(1 + t²)`
+    inverse: DoubleDouble,
+    /// `(1 + t²) sin(θ + β₀) = (1 − t²) sin θ + 2t cos θ`
     up: DoubleDouble,
-    cos_beta: DoubleDouble,
-    /// `β₀ − τ`
-    bend: Number,
     /// `α − θ − β₀`, for θ ≤ π/2
     step: Number,
 }
@@ -70,37 +85,118 @@ impl Elevated {
     pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
         let (sin_theta, cos_theta, right) = sin_cos_mirrored(theta);
         let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
-        // each while the root or the division before it is under way (bench/NOTES.md, "Order")
-        let secant = Secant::of_tan(tau);
-        let bend = atan_bend(tau);
-        let inverse = 1.0 / secant.root;
-        let up = sin_theta.add_smaller(match digits {
-            Digits::More => cos_theta.times_double(tau),
-            Digits::Enough => two_product(cos_theta.hi, tau),
+        let half_tan = tau * polynomial(tau * tau, &HALF_TAN);
+        let square = two_square(half_tan);
+        let whole = fast_two_sum(1.0, square.hi);
+        let whole_rest = whole.lo + square.lo;
+        let inverse = 1.0 / whole.hi;
+        // here, while the division is under way (bench/NOTES.md, "Order")
+        let rest = fast_two_difference(1.0, square.hi);
+        let rest = DoubleDouble { hi: rest.hi, lo: rest.lo - square.lo };
+        let up = sin_theta.times(rest).add_smaller(match digits {
+            Digits::More => cos_theta.times_double(half_tan + half_tan),
+            Digits::Enough => two_product(cos_theta.hi, half_tan + half_tan),
         });
-        let cos_beta = secant.inverse(inverse);
+        let inverse_rest = rest_of_product(1.0, whole.hi, inverse) - inverse * whole_rest;
+        let inverse = DoubleDouble { hi: inverse, lo: inverse * inverse_rest };
         let u = match digits {
-            Digits::More => up.times(cos_beta).times_double(epsilon).round(),
-            Digits::Enough => up.hi * cos_beta.hi * epsilon,
+            Digits::More => up.times(inverse).times_double(epsilon).round(),
+            Digits::Enough => up.hi * inverse.hi * epsilon,
         };
-        let step = step(sin_theta.hi, cos_theta, tau, up, cos_beta.hi, u, digits);
-        Elevated { sin_theta, cos_theta, epsilon, right, theta, tau, up, cos_beta, bend, step }
+        let mut found = Elevated {
+            sin_theta,
+            cos_theta,
+            epsilon,
+            right,
+            theta,
+            half_tan,
+            rest,
+            inverse,
+            up,
+            step: u,
+        };
+        found.step = found.step_to_launch(u, digits);
+        found
+    }
+
+    /// The step of third order from α₀ = θ + β₀ to the solution of `α = arctan(tan θ / G)`, given u at α₀.
+    ///
+    /// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
+    /// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
+    /// with sin α: it is computed in units of sin α. All divisions but that by u² are one.
+    #[inline(always)]
+    fn step_to_launch(&self, u: Number, digits: Digits) -> Number {
+        let Elevated { up, .. } = *self;
+        let (sin, cos) = (self.sin_theta.hi, self.cos_theta);
+        let twice = self.half_tan + self.half_tan;
+        let along = cos.hi * self.rest.hi - twice * sin;
+        let sin_alpha = up.hi * self.inverse.hi;
+        let cos_alpha = along * self.inverse.hi;
+        let drag = Drag::at(u);
+        let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
+        let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
+
+        // how far 2t is from (1 − t²) times the right side
+        let value = match digits {
+            Digits::More => {
+                let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
+                (product.hi - twice) + product.lo
+            }
+            Digits::Enough => {
+                let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
+                let product = drag.loss.div_by(drag.square, inverse).times(across);
+                (product.hi - twice) + product.lo
+            }
+        };
+        let cos = cos.hi;
+        let cos2 = cos * cos;
+        let gain = 1.0 - gain_rest;
+        let bottom = self.rest.hi - gain_rest * (cos * along);
+        let stretch = sin * sin + gain * gain * cos2;
+        // 1 less the derivative of the right side by α, times what makes it positive
+        let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
+        let slope = slope + 1e-290;
+
+        let q = 1.0 + u;
+        let (left, right) = (bottom * slope, stretch * q);
+        let inverse = 1.0 / (left * right);
+        // here, while the division is under way (bench/NOTES.md, "Order")
+        let turned = a * cos_alpha;
+        let e_top = 2.0 - (4.0 + u) * gain_rest;
+        let cos_alpha2 = cos_alpha * cos_alpha;
+        let turned_square = 2.0 * gain * (turned * turned);
+        let across = sin * cos;
+        let (by_left, by_right) = (right * inverse, left * inverse);
+        // the angle between two tangents
+        let residual = value * (by_left * slope);
+        let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
+        let by_slope = by_left * bottom;
+        let e = e_top * (by_right * stretch);
+        let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
+        let newton = residual * stretch * by_slope;
+        let quadratic = 0.5 * bend * (across * by_slope);
+        sin_alpha * (newton - newton * newton * quadratic)
     }
 
     /// α in [0, π]
     #[inline(always)]
     pub fn launch_angle(&self) -> Number {
         let sign = select(self.right, 1.0, -1.0);
-        let sum = fast_two_sum(self.theta, sign * self.tau);
-        sum.hi + (sum.lo + sign * (self.step + self.bend))
+        let t = self.half_tan;
+        let sum = fast_two_sum(self.theta, sign * (t + t));
+        // β₀ − 2t
+        let z = t * t;
+        let bend = t * z * polynomial(z, &HALF_ATAN_TAIL);
+        sum.hi + (sum.lo + sign * (self.step + bend))
     }
 
     /// sin α and |cos α|
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn direction(&self) -> (DoubleDouble, DoubleDouble) {
-        let along = self.cos_theta.sub_smaller(self.sin_theta.times_double(self.tau));
-        let (sin, cos) = (self.up.times(self.cos_beta), along.times(self.cos_beta));
+        let turned = self.sin_theta.times_double(self.half_tan + self.half_tan);
+        let along = self.cos_theta.times(self.rest).sub_smaller(turned);
+        let (sin, cos) = (self.up.times(self.inverse), along.times(self.inverse));
         let half_square = 0.5 * self.step * self.step;
         let sin_change = self.step * cos.hi - half_square * sin.hi;
         let cos_change = self.step * -sin.hi - half_square * cos.hi;
@@ -120,30 +216,6 @@ impl Elevated {
         let (sin, cos) = self.direction();
         let q = q_without_one_rest(sin, self.epsilon);
         sin.times(cos).quotient(q.times_double(self.cos_theta.hi))
-    }
-}
-
-/// `√(1 + τ²)`
-struct Secant {
-    square: DoubleDouble,
-    root: Number,
-}
-
-impl Secant {
-    #[inline(always)]
-    fn of_tan(tau: Number) -> Self {
-        let square = two_square(tau);
-        let sum = fast_two_sum(1.0, square.hi);
-        let square = DoubleDouble { hi: sum.hi, lo: sum.lo + square.lo };
-        Secant { square, root: sqrt(square.hi) }
-    }
-
-    /// Its inverse, from the rounded value; the residuals are of the root and of the division.
-    #[inline(always)]
-    fn inverse(&self, inverse: Number) -> DoubleDouble {
-        let root_rest = self.square.less_square(self.root) * (0.5 * inverse);
-        let rest = rest_of_product(1.0, self.root, inverse) - inverse * root_rest;
-        DoubleDouble { hi: inverse, lo: inverse * rest }
     }
 }
 
@@ -180,70 +252,6 @@ fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
     let divisor = bottom * stretch + slope * (g * cos2);
     let g = g * divisor + (top - g * bottom) * stretch;
     (divisor - g) * (sin * cos) / (g * cos2 + divisor * sin2)
-}
-
-/// The step of third order from α₀ = θ + β₀ to the solution of `α = arctan(tan θ / G)`.
-///
-/// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
-/// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
-/// with sin α: it is computed in units of sin α. All divisions are one.
-#[inline(always)]
-fn step(
-    sin: Number,
-    cos: DoubleDouble,
-    tau: Number,
-    up: DoubleDouble,
-    cos_beta: Number,
-    u: Number,
-    digits: Digits,
-) -> Number {
-    let secant_square = 1.0 + tau * tau;
-    let sin_alpha = up.hi * cos_beta;
-    let cos_alpha = (cos.hi - tau * sin) * cos_beta;
-    let drag = Drag::at(u);
-    let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
-    let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
-
-    // how far τ is from the right side
-    let value = match digits {
-        Digits::More => {
-            let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
-            (product.hi - tau) + product.lo
-        }
-        Digits::Enough => {
-            let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
-            let product = drag.loss.div_by(drag.square, inverse).times(across);
-            (product.hi - tau) + product.lo
-        }
-    };
-    let cos = cos.hi;
-    let cos2 = cos * cos;
-    let gain = 1.0 - gain_rest;
-    let bottom = (1.0 - gain_rest * cos2) * secant_square + tau * value;
-    let stretch = sin * sin + gain * gain * cos2;
-    // 1 less the derivative of the right side by α, times what makes it positive
-    let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
-    let slope = slope + 1e-290;
-
-    let q = 1.0 + u;
-    let (left, right) = (bottom * slope, stretch * q);
-    let inverse = 1.0 / (left * right);
-    // here, while the division is under way (bench/NOTES.md, "Order")
-    let turned = a * cos_alpha;
-    let e_top = 2.0 - (4.0 + u) * gain_rest;
-    let cos_alpha2 = cos_alpha * cos_alpha;
-    let turned_square = 2.0 * gain * (turned * turned);
-    let across = sin * cos;
-    let (by_left, by_right) = (right * inverse, left * inverse);
-    // the angle between two tangents
-    let residual = value * (by_left * slope);
-    let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
-    let by_slope = by_left * bottom;
-    let e = e_top * (by_right * stretch);
-    let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
-    let newton = residual * stretch * by_slope;
-    let quadratic = 0.5 * bend * (across * by_slope);
-    sin_alpha * (newton - newton * newton * quadratic)
 }
 
 /// Launch angle α in [0, π] of the shot whose apex is seen at elevation θ: the inverse of [Eq. 10].
