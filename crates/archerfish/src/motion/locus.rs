@@ -93,10 +93,16 @@ impl Elevated {
         // here, while the division is under way (bench/NOTES.md, "Order")
         let rest = fast_two_difference(1.0, square.hi);
         let rest = DoubleDouble { hi: rest.hi, lo: rest.lo - square.lo };
-        let up = sin_theta.times(rest).add_smaller(match digits {
-            Digits::More => cos_theta.times_double(half_tan + half_tan),
-            Digits::Enough => two_product(cos_theta.hi, half_tan + half_tan),
-        });
+        let up = match digits {
+            Digits::More => {
+                let turned = cos_theta.times_double(half_tan + half_tan);
+                sin_theta.times(rest).add_smaller(turned)
+            }
+            Digits::Enough => {
+                let across = (cos_theta.hi + cos_theta.hi) - half_tan * sin_theta.hi;
+                sin_theta.add_smaller(two_product(half_tan, across))
+            }
+        };
         let inverse_rest = rest_of_product(1.0, whole.hi, inverse) - inverse * whole_rest;
         let inverse = DoubleDouble { hi: inverse, lo: inverse * inverse_rest };
         let u = match digits {
