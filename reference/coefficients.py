@@ -174,14 +174,12 @@ QUARTER_PI = (mp.pi / 4) ** 2 * mp.mpf("1.0001")
 HALF_PI = (mp.pi / 2) ** 2 * mp.mpf("1.0001")
 TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 
-LOG_STEP = mp.mpf("0.03126")
-
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
     "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
-    "log_tail": Fit(log_tail, -LOG_STEP, LOG_STEP, 8, abs),
+    "log_tail": Fit(log_tail, mp.mpf("-0.02918"), mp.mpf("0.03126"), 7, abs),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),

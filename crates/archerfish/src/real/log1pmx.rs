@@ -13,18 +13,17 @@ use super::{
     LN2_HI, LN2_LO, Number, Order, Table, exponent_field, lesser, look_up, polynomial, select,
 };
 
-// log_tail: minimax on [-0.03126, 0.03126], degree 8,
-// weighted error 1.52e-18: reference/coefficients.py log_tail
-const LOG_TAIL: [f64; 9] = [
-    0.6666666666666666,
-    -0.4999999999999894,
-    0.39999999999995944,
-    -0.33333333343899635,
-    0.2857142859312832,
-    -0.2499996735089245,
-    0.22222175302704983,
-    -0.20039748885312902,
-    0.1822628463033449,
+// log_tail: minimax on [-0.02918, 0.03126], degree 7,
+// weighted error 1.62e-17: reference/coefficients.py log_tail
+const LOG_TAIL: [f64; 8] = [
+    0.6666666666666629,
+    -0.5000000000001396,
+    0.40000000005930586,
+    -0.33333333227797785,
+    0.28571404346796125,
+    -0.250002197531488,
+    0.22258597932673727,
+    -0.19876158416435263,
 ];
 // log_table: reference/coefficients.py log_table
 const INVERSES: Table = [
