@@ -2,7 +2,7 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
 use super::super::real::{
-    Logarithm, Number, Order, atan_bend, greater, log_excess, select, sin_upper,
+    Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
 };
 use super::curvature::curvature;
 use super::drag::Drag;
@@ -74,7 +74,7 @@ fn height(sin: DoubleDouble, epsilon: Number, part: Part) -> Number {
     // φ is 1/2 − u/3 below WEAK, to 2⁻⁶⁰
     let epsilon = greater(WEAK, epsilon);
     let u = sin.times_double(epsilon);
-    let (excess, slope) = log_excess::<true>(u.hi);
+    let (excess, slope) = log_excess(u.hi, Sign::Positive);
     let excess = DoubleDouble { hi: excess.hi, lo: excess.lo + u.lo * slope };
     if part == Part::Ordinary {
         return excess.div_double(epsilon * epsilon).round();
@@ -92,14 +92,13 @@ fn height(sin: DoubleDouble, epsilon: Number, part: Part) -> Number {
 #[inline(always)]
 pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
     let launch = Launch::at(alpha, eps);
-    let sin = sin_upper(alpha);
-    let sin2 = sin.squared();
+    let sin2 = launch.sin.squared();
     (
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
-        within_domain(alpha, eps, height(sin, eps, Part::Whole)),
+        within_domain(alpha, eps, height(sin_upper(alpha), eps, Part::Whole)),
         within_domain(alpha, eps, launch.elevation(alpha)),
-        within_domain(alpha, eps, curvature(sin, sin2, sin2.complement(), eps)),
+        within_domain(alpha, eps, curvature(launch.sin, sin2, sin2.complement(), eps)),
     )
 }
 

@@ -14,8 +14,8 @@ use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, two_product, two_square,
 };
 use super::super::real::{
-    Logarithm, Mask, Number, exponent_and_significand, greater, lesser, log_excess, polynomial,
-    select,
+    Logarithm, Mask, Number, Sign, exponent_and_significand, greater, lesser, log_excess,
+    polynomial, select,
 };
 
 // artanh_tail: minimax on [0.0, 0.11112], degree 10,
@@ -81,7 +81,7 @@ impl Drag {
         // G is 1/2 + u/6 below, to 2⁻⁶², and differs from 1 by nothing above
         let u = greater(LEAST, lesser(MOST, u));
         let square = two_square(u);
-        let (excess, _) = log_excess::<true>(u);
+        let (excess, _) = log_excess(u, Sign::Positive);
         let excess = fast_two_sum(excess.hi, excess.lo);
         let logarithm = fast_two_difference(u, excess.hi);
         let product = two_product(u, logarithm.hi);

@@ -91,11 +91,19 @@ const LIFTED_INVERSES: Table = {
     lifted
 };
 
-/// `x − ln(1 + x)`, and to 2⁻⁵ of itself its slope `x/(1 + x)`, for an x that is neither tiny nor huge,
-/// nor −1 or below; not negative at all, if `POSITIVE`. To 2⁻⁵⁷ of itself; hi alone to 2⁻⁵.
+/// Which numbers a logarithm is for.
+#[derive(Clone, Copy)]
+pub(crate) enum Sign {
+    /// none below zero
+    Positive,
+    Any,
+}
+
+/// `x − ln(1 + x)`, to 2⁻⁵⁵ of itself, hi alone to 2⁻⁵; and its slope `x/(1 + x)`, to 2⁻⁵ of itself: for
+/// an x that is neither tiny nor huge, nor −1 or below.
 #[cfg_attr(target_arch = "wasm32", inline(never))]
 #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-pub(crate) fn log_excess<const POSITIVE: bool>(x: Number) -> (DoubleDouble, Number) {
+pub(crate) fn log_excess(x: Number, sign: Sign) -> (DoubleDouble, Number) {
     /// half a step of the table, in the bits of 1 + x
     const HALF_STEP: u64 = 1 << 47;
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
@@ -107,12 +115,17 @@ pub(crate) fn log_excess<const POSITIVE: bool>(x: Number) -> (DoubleDouble, Numb
     let product = two_product(x, r);
     // exact, as are 1 − R, and the sums of hi below; near −1 the error of the product is half of f
     let f = product.hi - (1.0 - r);
-    let DoubleDouble { hi: f, lo: rest } =
-        if POSITIVE { DoubleDouble { hi: f, lo: product.lo } } else { fast_two_sum(f, product.lo) };
+    let DoubleDouble { hi: f, lo: rest } = match sign {
+        Sign::Positive => DoubleDouble { hi: f, lo: product.lo },
+        Sign::Any => fast_two_sum(f, product.lo),
+    };
 
     let whole = k * LN2_HI + look_up(&LOGARITHMS, index);
     let whole_rest = k * LN2_LO + look_up(&LOGARITHM_RESTS, index);
-    let below = if POSITIVE { fast_two_difference(x, whole) } else { two_difference(x, whole) };
+    let below = match sign {
+        Sign::Positive => fast_two_difference(x, whole),
+        Sign::Any => two_difference(x, whole),
+    };
     let bracket = fast_two_difference(below.hi, f);
     let half = two_product(0.5 * f, f);
     let sum = fast_two_sum(bracket.hi, half.hi);
@@ -131,7 +144,7 @@ const HUGE: f64 = 1e100;
 /// `ln(1 + x) − x` for such an x.
 #[inline(always)]
 fn regular(x: Number) -> Number {
-    -log_excess::<false>(x).0.round()
+    -log_excess(x, Sign::Any).0.round()
 }
 
 /// `ln(1 + x) − x`.

@@ -30,7 +30,7 @@ pub(crate) use atan::{angle, angle_all_round, atan_bend};
 pub(crate) use exp::Exponential;
 pub(crate) use log::Logarithm;
 #[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
-pub(crate) use log1pmx::{log_excess, log1pmx_ordinary};
+pub(crate) use log1pmx::{Sign, log_excess, log1pmx_ordinary};
 pub(crate) use polynomial::{polynomial, polynomial_by};
 pub(crate) use trigonometric::{sin_cos_extended, sin_cos_mirrored, sin_cos_upper, sin_upper};
 
