@@ -7,6 +7,10 @@ Each entry of FITS names a function, an interval, a degree and a weight; the pol
 smallest greatest weighted error is found by Remez's exchange at 60 digits and printed with its
 error after rounding the coefficients to double.
 
+`log_table` is no fit: numbers of nine bits next to the inverses of 1, 1 + 1/16, …, 1 + 15/16, and
+minus their logarithms, in two parts of which the first, to 42 bits behind the point, adds exactly
+to multiples of ln 2's first part.
+
 Each entry of STARTS names a rational function that starts an iteration. It needs few digits, so it
 is found by Lawson's weighted least squares in double precision; another machine's linear algebra
 may print other last digits of an equally good start.
@@ -72,11 +76,6 @@ def atanh_tail(z):
     )(z)
 
 
-def atanh_excess(z):
-    """(artanh(√z)/√z − 1) / z."""
-    return mp.mpf(1) / 3 + z * atanh_tail(z)
-
-
 def log_tail(f):
     """2 (ln(1 + f) − f + f²/2) / f³."""
     return taylor_near_zero(
@@ -94,7 +93,7 @@ def sin_tail(z):
 
 
 def long_sin_tail(z):
-    """(sin(√z)/√z − 1 + c z) / z², c being the double nearest 1/6: what that errs grows with z, too."""
+    """(sin(√z)/√z − 1 + c z) / z², c being the double nearest 1/6."""
     rest = mp.mpf(1 / 6) - mp.mpf(1) / 6
     exact = taylor_near_zero(
         lambda t: (mp.sin(mp.sqrt(t)) / mp.sqrt(t) - 1 + t / 6) / t**2,
@@ -454,6 +453,18 @@ SEARCHES = {
 }
 
 
+def log_table():
+    """Inverses, their logarithms with the sign changed, and what those leave."""
+    inverses = [mp.nint(512 / (1 + mp.mpf(i) / 16)) / 512 for i in range(16)]
+    exact = [-mp.log(r) for r in inverses]
+    rounded = [mp.nint(x * 2**42) / 2**42 for x in exact]
+    return {
+        "inverses": [float(r) for r in inverses],
+        "logarithms": [float(x) for x in rounded],
+        "logarithm_rests": [float(x - y) for x, y in zip(exact, rounded, strict=True)],
+    }
+
+
 def print_table(name, coefficients):
     print(f"const {name.upper()}: [f64; {len(coefficients)}] = [")
     for c in coefficients:
@@ -462,7 +473,12 @@ def print_table(name, coefficients):
 
 
 def main(names):
-    for name in names or [*FITS, *STARTS, *SEARCHES]:
+    for name in names or ["log_table", *FITS, *STARTS, *SEARCHES]:
+        if name == "log_table":
+            print("// log_table: reference/coefficients.py log_table")
+            for part, numbers in log_table().items():
+                print_table(part, numbers)
+            continue
         if name in SEARCHES:
             how, search = SEARCHES[name]
             coefficients, worst = search()

@@ -13,7 +13,7 @@ import numpy as np
 
 import archerfish
 
-#: crates/archerfish/src/twins.rs: the longest block, less than SHORT, and short arrays of that.
+#: The longest block (wide.rs), less than SHORT (twins.rs), and short arrays of that.
 BLOCK, FEW, ARRAYS = 32, 200, 333
 
 

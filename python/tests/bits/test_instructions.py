@@ -24,11 +24,12 @@ ROOT = Path(__file__).resolve().parents[3]
 UFUNCS = [name for name in archerfish.__all__ if isinstance(getattr(archerfish, name), np.ufunc)]
 #: The letter of the widest registers, and their share of all arithmetic that a vector loop beside a
 #: scalar one for the last elements has at least. SSE2 lacks selection and 64-bit comparison, so
-#: there a compiler may rightly keep a kernel mostly scalar. Blocks of twins have no last ones.
+#: there a compiler may rightly keep a kernel mostly scalar. Whole blocks have no last ones.
 WIDEST = {"baseline": ("x", 0.0), "avx2": ("y", 0.4), "avx512": ("z", 0.4)}
-WIDEST |= {"twins_avx2": ("y", 0.99), "twins_avx512": ("z", 0.99)}
+WIDEST |= {"twins_avx2": ("y", 0.99), "wides_avx512": ("z", 0.99)}
 ARITHMETIC = re.compile(r"\tv?(?:add|sub|mul|div|sqrt)([sp])d .*?%([xyz])mm")
 FUSED = re.compile(r"\tvf(?:n?madd|n?msub|maddsub|msubadd)")
+CLONE = r"[0-9a-f]+ <archerfish::batch::(\w+)(?:::((?:twins_|wides_)?avx(?:2|512)))?>:"
 CALL = re.compile(r"\tcall +(.*)")
 #: What a kernel may call: itself, Rust's panics, and copies of memory.
 HARMLESS = re.compile(r"<(?:archerfish::|core::|std::|mem(?:cpy|set|move)\b)")
@@ -196,9 +197,7 @@ if platform.machine() in {"x86_64", "AMD64"}:
         text = output("objdump", "--disassemble", "--demangle", binary)
         found = {}
         for part in re.split(r"\n(?=[0-9a-f]+ <)", text):
-            head = re.match(
-                r"[0-9a-f]+ <archerfish::batch::(\w+)(?:::((?:twins_)?avx(?:2|512)))?>:", part
-            )
+            head = re.match(CLONE, part)
             if head:
                 found[head[1], head[2] or "baseline"] = part
         return found
@@ -220,7 +219,7 @@ if platform.machine() in {"x86_64", "AMD64"}:
     @pytest.mark.parametrize("name", UFUNCS)
     def test_fused_arithmetic_is_exact_but_for_a_last_rounding(clones, numbers, name):
         assert not FUSED.search(clones[name, "baseline"])
-        for isa in ("avx2", "avx512", "twins_avx2", "twins_avx512"):
+        for isa in ("avx2", "avx512", "twins_avx2", "wides_avx512"):
             count, others = exact_transforms(clones[name, isa], WIDEST[isa][0], numbers)
             assert others == []
             assert count > 0

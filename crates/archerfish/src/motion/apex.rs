@@ -4,9 +4,8 @@ use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_
 use super::super::real::{
     Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
 };
-use super::curvature::curvature;
 use super::drag::Drag;
-use super::launch::{LARGE, LIFT, Launch, SMALL, is_angle, is_within, within_domain};
+use super::launch::{LARGE, LIFT, Launch, SMALL, is_within, within_domain};
 
 /// Drag parameters below it, 2⁻⁶⁰, make no difference to a height.
 const WEAK: f64 = f64::from_bits((1023 - 60) << 52);
@@ -98,7 +97,7 @@ pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
         select(is_within(alpha, eps), launch.x(), f64::NAN),
         within_domain(alpha, eps, height(sin_upper(alpha), eps, Part::Whole)),
         within_domain(alpha, eps, launch.elevation(alpha)),
-        within_domain(alpha, eps, curvature(launch.sin, sin2, sin2.complement(), eps)),
+        within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
 
@@ -125,7 +124,7 @@ pub fn apex_y(alpha: Number, eps: Number) -> Number {
 pub(crate) fn apex_y_ordinary(alpha: Number, eps: Number) -> Number {
     let sin = sin_upper(alpha);
     let enough = (sin.hi * greater(WEAK, eps)).is_at_least(FLAT);
-    let ordinary = enough & eps.is_at_most(STRONG) & is_angle(alpha);
+    let ordinary = enough & eps.is_at_most(STRONG) & is_within(alpha, eps);
     select(ordinary, height(sin, eps, Part::Ordinary), f64::INFINITY)
 }
 

@@ -7,7 +7,7 @@
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_product};
 use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
-use super::launch::{LIFT, q, within_domain};
+use super::launch::{LIFT, Launch, within_domain};
 use super::locus::{Digits, Elevated};
 
 /// 2⁶⁰⁰
@@ -15,35 +15,32 @@ const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
 /// 2⁻⁷⁰⁰
 const NEAR: f64 = f64::from_bits((1023 - 700) << 52);
 
-/// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵, by sin α, sin²α and cos²α
-#[cfg_attr(target_arch = "wasm32", inline(never))]
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-pub(super) fn curvature(
-    sin: DoubleDouble,
-    sin2: DoubleDouble,
-    cos2: DoubleDouble,
-    epsilon: Number,
-) -> Number {
-    let q = q(sin, epsilon);
-    let inverse = 1.0 / q.hi;
-    let share = cos2.div_by(q, inverse);
-    let denominator = share.squared().add_positives(sin2.times(share.twice().complement()));
-    let root = sqrt(denominator.hi);
+impl Launch {
+    /// `ρK`, which grows with ε^{3/2} and overflows beyond ε = 10²⁰⁵, by sin²α and cos²α
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn curvature(&self, sin2: DoubleDouble, cos2: DoubleDouble) -> Number {
+        let q = self.q();
+        let inverse = 1.0 / q.hi;
+        let share = cos2.div_by(q, inverse);
+        let denominator = share.squared().add_positives(sin2.times(share.twice().complement()));
+        let root = sqrt(denominator.hi);
 
-    // here, while the root is under way (bench/NOTES.md, "Order")
-    let sum = sin2.add_positives(share);
-    let across = cos2.hi - share.hi;
-    let more = two_product(share.hi, across);
-    let numerator = fast_two_sum(sum.hi, more.hi);
-    let more_rest = more.lo + (share.lo * (across - share.hi) + share.hi * cos2.lo);
-    let numerator = DoubleDouble { hi: numerator.hi, lo: numerator.lo + (sum.lo + more_rest) };
+        // here, while the root is under way (bench/NOTES.md, "Order")
+        let sum = sin2.add_positives(share);
+        let across = cos2.hi - share.hi;
+        let more = two_product(share.hi, across);
+        let numerator = fast_two_sum(sum.hi, more.hi);
+        let more_rest = more.lo + (share.lo * (across - share.hi) + share.hi * cos2.lo);
+        let numerator = DoubleDouble { hi: numerator.hi, lo: numerator.lo + (sum.lo + more_rest) };
 
-    // D^{3/2}, which may be as small as 10⁻⁴⁵⁰; the last multiplication may overflow
-    let power = two_product(denominator.hi * LARGE, root);
-    let root_rest = rest_of_product(denominator.hi, root, root);
-    let change = (1.5 * LARGE) * denominator.lo + (0.5 * LARGE) * root_rest;
-    let power = DoubleDouble { hi: power.hi, lo: power.lo + root * change };
-    numerator.times(q).quotient(power) * LARGE
+        // D^{3/2}, which may be as small as 10⁻⁴⁵⁰; the last multiplication may overflow
+        let power = two_product(denominator.hi * LARGE, root);
+        let root_rest = rest_of_product(denominator.hi, root, root);
+        let change = (1.5 * LARGE) * denominator.lo + (0.5 * LARGE) * root_rest;
+        let power = DoubleDouble { hi: power.hi, lo: power.lo + root * change };
+        numerator.times(q).quotient(power) * LARGE
+    }
 }
 
 /// Curvature of the locus by launch angle, times V₀²/g.
@@ -63,6 +60,6 @@ pub fn locus_curvature(theta: Number, eps: Number) -> Number {
     within_domain(theta, eps, {
         let launch = Elevated::new(angle, epsilon, Digits::More).launch();
         // both squares: an error of one alone is up to eight times as great in 1 less it
-        curvature(launch.sin, launch.sin.squared(), launch.cos.squared(), epsilon)
+        launch.curvature(launch.sin.squared(), launch.cos.squared())
     })
 }

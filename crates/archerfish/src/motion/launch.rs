@@ -35,10 +35,14 @@ impl Launch {
         Launch::new(sin, cos, epsilon)
     }
 
-    /// `q = 1 + u`
+    /// `q = 1 + u`, of the product itself: `two_sum` with u as it is before it is rounded.
     #[inline(always)]
     pub fn q(&self) -> DoubleDouble {
-        q(self.sin, self.epsilon)
+        let hi = 1.0 + self.sin.hi * self.epsilon;
+        let u = hi - 1.0;
+        let one_rest = 1.0 - (hi - u);
+        let u_rest = rest_of_product(u, self.sin.hi, self.epsilon);
+        DoubleDouble { hi, lo: (self.sin.lo * self.epsilon + one_rest) - u_rest }
     }
 
     /// `q` of the rounded sine, as `q_without_one_rest`.
@@ -56,28 +60,12 @@ impl Launch {
     }
 }
 
-/// `q = 1 + ε sin α`, of the product itself: `two_sum` with ε sin α as it is before it is rounded.
-#[inline(always)]
-pub(super) fn q(sin: DoubleDouble, epsilon: Number) -> DoubleDouble {
-    let hi = 1.0 + sin.hi * epsilon;
-    let u = hi - 1.0;
-    let one_rest = 1.0 - (hi - u);
-    let u_rest = rest_of_product(u, sin.hi, epsilon);
-    DoubleDouble { hi, lo: (sin.lo * epsilon + one_rest) - u_rest }
-}
-
 /// `q` without what the 1 leaves behind where it is less than a unit in the last place of u.
 #[inline(always)]
 pub(super) fn q_without_one_rest(sin: DoubleDouble, epsilon: Number) -> DoubleDouble {
     let hi = 1.0 + sin.hi * epsilon;
     let u_rest = rest_of_product(hi - 1.0, sin.hi, epsilon);
     DoubleDouble { hi, lo: sin.lo * epsilon - u_rest }
-}
-
-/// Whether the angle is in [0, π].
-#[inline(always)]
-pub(crate) fn is_angle(angle: Number) -> Mask {
-    lesser(angle, core::f64::consts::PI - angle).is_at_least(0.0)
 }
 
 /// Whether neither is below what the functions of this module take, nor the angle above.

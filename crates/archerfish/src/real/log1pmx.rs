@@ -10,7 +10,7 @@ use super::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, two_difference, two_product,
 };
 use super::{
-    LN2_HI, LN2_LO, Number, Order, Table, exponent_field, lesser, look_up, polynomial, select,
+    LN2_HI, LN2_LO, Number, Order, Table, exponent_of_positive, lesser, look_up, polynomial, select,
 };
 
 // log_tail: minimax on [-0.02918, 0.03126], degree 7,
@@ -109,7 +109,7 @@ pub(crate) fn log_excess(x: Number, sign: Sign) -> (DoubleDouble, Number) {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let shifted = (1.0 + x).to_bits().wrapping_add(HALF_STEP);
     let index = shifted >> 48;
-    let k = exponent_field(Number::from_bits(shifted));
+    let k = exponent_of_positive(Number::from_bits(shifted));
     let lifted = look_up(&LIFTED_INVERSES, index).to_bits();
     let r = Number::from_bits(lifted.wrapping_sub(shifted & EXPONENT));
     let product = two_product(x, r);

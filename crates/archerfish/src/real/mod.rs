@@ -108,10 +108,16 @@ pub(crate) fn power_and_inverse(w: Number) -> (Number, (Number, Number)) {
 pub(crate) fn exponent_field(w: Number) -> Number {
     // the bits of 2⁵² + n hold the integer n
     const TWO_52: f64 = 4503599627370496.0;
-    if let Some(exponent) = w.exponent() {
-        return exponent;
-    }
     Number::from_bits((w.to_bits() >> 52) | TWO_52.to_bits()) - (TWO_52 + 1023.0)
+}
+
+/// The same, where other numbers may give anything: by an instruction, where there is one.
+#[inline(always)]
+pub(crate) fn exponent_of_positive(w: Number) -> Number {
+    match w.exponent() {
+        Some(exponent) => exponent,
+        None => exponent_field(w),
+    }
 }
 
 /// High and low part of ln 2; the high part has 42 bits, so that integers below 2¹¹ multiply it
