@@ -7,9 +7,9 @@ Each entry of FITS names a function, an interval, a degree and a weight; the pol
 smallest greatest weighted error is found by Remez's exchange at 60 digits and printed with its
 error after rounding the coefficients to double.
 
-`log_table` is no fit: numbers of nine bits next to the inverses of 1, 1 + 1/16, …, 1 + 15/16, and
-minus their logarithms, in two parts of which the first, to 42 bits behind the point, adds exactly
-to multiples of ln 2's first part.
+`log_table` is no fit: numbers next to the inverses of 1, 1 + 1/16, …, 1 + 15/16, and minus their
+logarithms, which have 42 bits behind the point and so add exactly to multiples of ln 2's first
+part; what they leave out is below 2⁻⁷⁰.
 
 Each entry of STARTS names a rational function that starts an iteration. It needs few digits, so it
 is found by Lawson's weighted least squares in double precision; another machine's linear algebra
@@ -18,6 +18,7 @@ may print other last digits of an equally good start.
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -178,7 +179,7 @@ FITS = {
     "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
     "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
-    "log_tail": Fit(log_tail, mp.mpf("-0.02918"), mp.mpf("0.03126"), 7, abs),
+    "log_tail": Fit(log_tail, mp.mpf("-0.0298"), mp.mpf("0.03126"), 7, abs),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
@@ -453,16 +454,32 @@ SEARCHES = {
 }
 
 
+def accurate_inverse(i, bits=40, grid=42, precision=70):
+    """The number of so many bits nearest 1/(1 + i/16) whose logarithm is almost one of 2^−grid.
+
+    The idea is S. Gal's: a table of such needs no second column for what rounding leaves.
+    """
+    step, length = mp.mpf(2) ** -bits, 2**16
+    nearest, j = mp.nint(1 / (1 + mp.mpf(i) / 16) / step) * step, np.arange(2.0**16)
+    for block in itertools.count():
+        # up and down from the inverse in turns
+        first = nearest + (block + 1) // 2 * (1 if block % 2 else -1) * length * step
+        # −ln(first + j step) in units of 2^−grid, by Taylor, without whole numbers
+        place, slope = -mp.log(first) * 2**grid, -step / first * 2**grid
+        bend = float(step**2 / (2 * first**2) * 2**grid)
+        phase = float(place % 1) + (float(slope % 1) * j) % 1 + bend * j * j
+        best = int(np.argmin(abs(phase - np.rint(phase))))
+        r = first + best * step
+        logarithm = mp.nint(-mp.log(r) * 2**grid) / 2**grid
+        if abs(mp.log(r) + logarithm) < mp.mpf(2) ** -precision:
+            return float(r), float(logarithm)
+    raise AssertionError
+
+
 def log_table():
-    """Inverses, their logarithms with the sign changed, and what those leave."""
-    inverses = [mp.nint(512 / (1 + mp.mpf(i) / 16)) / 512 for i in range(16)]
-    exact = [-mp.log(r) for r in inverses]
-    rounded = [mp.nint(x * 2**42) / 2**42 for x in exact]
-    return {
-        "inverses": [float(r) for r in inverses],
-        "logarithms": [float(x) for x in rounded],
-        "logarithm_rests": [float(x - y) for x, y in zip(exact, rounded, strict=True)],
-    }
+    """Numbers next to inverses, and their logarithms with the sign changed."""
+    pairs = [(1.0, 0.0)] + [accurate_inverse(i) for i in range(1, 16)]
+    return {"inverses": [r for r, _ in pairs], "logarithms": [x for _, x in pairs]}
 
 
 def print_table(name, coefficients):

@@ -78,12 +78,15 @@ fn height(sin: DoubleDouble, epsilon: Number, part: Part) -> Number {
     if part == Part::Ordinary {
         return excess.div_double(epsilon * epsilon).round();
     }
+    // (chosen before the division: a choice after it the compiler makes a branch around it)
     let excess = DoubleDouble::select(u.hi.is_above(HUGE), u, excess);
     let back = select(epsilon.is_above(STRONG), STRONG_BACK, 1.0);
-    let divisor = epsilon * back;
-    let value = excess.div_double(divisor * divisor).round() * back * back;
-    let half_square = 0.5 * sin.scale(LIFT).squared().round();
-    select(u.hi.is_below(FLAT), half_square * (1.0 / LIFT / LIFT), value)
+    let flat = u.hi.is_below(FLAT);
+    let half_square = sin.scale(LIFT).squared().scale(0.5);
+    let top = DoubleDouble::select(flat, half_square, excess);
+    let divisor = select(flat, 1.0, epsilon * back);
+    let back = select(flat, 1.0 / LIFT, back);
+    top.div_double(divisor * divisor).round() * back * back
 }
 
 /// x, y, elevation and curvature of the locus at the apex, each to the bit as its own function gives

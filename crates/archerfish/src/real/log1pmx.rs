@@ -1,10 +1,10 @@
 //! `ln(1 + x) − x`, without the cancellation near zero.
 //!
-//! Method: `1 + x = 2ᵏ m`, m in [1 − 1/64, 2 − 1/32), and r, of few bits, is near 1/m, from a table:
-//! so R = 2⁻ᵏ r is near 1/(1 + x), and exactly 1 for x in [−1/64, 1/32). With f = x R − (1 − R), which is
-//! below 1/32 in size, `x − ln(1 + x) = (x − (k ln 2 − ln r)) − f + f²/2 − f³ q(f)`. Where R is 1, f is x
-//! and the bracket less f exactly zero; elsewhere nothing cancels but a few bits, which the exact
-//! errors of the sums keep. There is no division.
+//! Method: `1 + x = 2ᵏ m`, m in [1 − 1/64, 2 − 1/32), and r is near 1/m, from a table: so R = 2⁻ᵏ r is near
+//! 1/(1 + x), and exactly 1 for x in [−1/64, 1/32). With f = x R − (1 − R), which is at most 1/32 in size,
+//! `x − ln(1 + x) = (x − (k ln 2 − ln r)) − f + f²/2 − f³ q(f)`. Where R is 1, f is x and the bracket less
+//! f exactly zero; elsewhere nothing cancels but a few bits, which the exact errors of the sums keep. There
+//! is no division. r has 40 bits and is chosen such that ln r is almost a number of few bits.
 
 use super::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, two_difference, two_product,
@@ -13,72 +13,54 @@ use super::{
     LN2_HI, LN2_LO, Number, Order, Table, exponent_of_positive, lesser, look_up, polynomial, select,
 };
 
-// log_tail: minimax on [-0.02918, 0.03126], degree 7,
-// weighted error 1.62e-17: reference/coefficients.py log_tail
+// log_tail: minimax on [-0.0298, 0.03126], degree 7,
+// weighted error 1.73e-17: reference/coefficients.py log_tail
 const LOG_TAIL: [f64; 8] = [
-    0.6666666666666629,
-    -0.5000000000001396,
-    0.40000000005930586,
-    -0.33333333227797785,
-    0.28571404346796125,
-    -0.250002197531488,
-    0.22258597932673727,
-    -0.19876158416435263,
+    0.6666666666666623,
+    -0.5000000000001017,
+    0.40000000006532915,
+    -0.3333333325914601,
+    0.2857140273930991,
+    -0.2500014722916857,
+    0.22259804173898665,
+    -0.19925955352661048,
 ];
 // log_table: reference/coefficients.py log_table
 const INVERSES: Table = [
     1.0,
-    0.94140625,
-    0.888671875,
-    0.841796875,
-    0.80078125,
-    0.76171875,
-    0.7265625,
-    0.6953125,
-    0.666015625,
-    0.640625,
-    0.615234375,
-    0.591796875,
-    0.572265625,
-    0.55078125,
-    0.533203125,
-    0.515625,
+    0.9411405527043826,
+    0.8889489378452708,
+    0.8420871858143073,
+    0.7997814732452753,
+    0.7619397251764894,
+    0.7271917814650806,
+    0.6956789095602289,
+    0.6667352768590717,
+    0.6400758219706404,
+    0.6153771506869816,
+    0.5925815168757254,
+    0.5713919851541505,
+    0.551644695898176,
+    0.5333902886359283,
+    0.5162076987890032,
 ];
 const LOGARITHMS: Table = [
     0.0,
-    0.060380510988807146,
-    0.11802720608852724,
-    0.172216534935842,
-    0.2221674653410446,
-    0.2721778859158803,
-    0.3194307707663029,
-    0.36339389418753854,
-    0.4064421477560245,
-    0.44531101665529604,
-    0.485751986213927,
-    0.5245918195300874,
-    0.5581520160224045,
-    0.5964175541014356,
-    0.6288528298546225,
-    0.6623755218931819,
-];
-const LOGARITHM_RESTS: Table = [
-    0.0,
-    1.0033424888676119e-13,
-    3.013227959910772e-14,
-    -8.199467511461324e-14,
-    1.0970699320566433e-13,
-    -6.465103064005256e-14,
-    5.834357420090924e-14,
-    -6.120773136055512e-14,
-    -3.3501865852984494e-14,
-    6.800902736039238e-14,
-    -5.2289445585813614e-14,
-    5.126483243291324e-14,
-    3.5983072145504944e-14,
-    -4.140144639843906e-14,
-    -7.448926013624619e-14,
-    9.681087609174425e-15,
+    0.06066278529624469,
+    0.11771548286219513,
+    0.17187172400258532,
+    0.22341674707217862,
+    0.2718878272423808,
+    0.3185650377984075,
+    0.3628670619350487,
+    0.40536219811497176,
+    0.4461686378165268,
+    0.48551994598892634,
+    0.5232668342114266,
+    0.5596798159654099,
+    0.5948511067986146,
+    0.628501873931782,
+    0.6612460774558713,
 ];
 /// `INVERSES` times 2¹⁰²³, from whose bits those of a power of two may be taken.
 const LIFTED_INVERSES: Table = {
@@ -113,7 +95,8 @@ pub(crate) fn log_excess(x: Number, sign: Sign) -> (DoubleDouble, Number) {
     let lifted = look_up(&LIFTED_INVERSES, index).to_bits();
     let r = Number::from_bits(lifted.wrapping_sub(shifted & EXPONENT));
     let product = two_product(x, r);
-    // exact, as are 1 − R, and the sums of hi below; near −1 the error of the product is half of f
+    // exact, as are the sums of hi below, and 1 − R until its rounding is nothing beside x; near −1 the
+    // error of the product is as great as f
     let f = product.hi - (1.0 - r);
     let DoubleDouble { hi: f, lo: rest } = match sign {
         Sign::Positive => DoubleDouble { hi: f, lo: product.lo },
@@ -121,7 +104,6 @@ pub(crate) fn log_excess(x: Number, sign: Sign) -> (DoubleDouble, Number) {
     };
 
     let whole = k * LN2_HI + look_up(&LOGARITHMS, index);
-    let whole_rest = k * LN2_LO + look_up(&LOGARITHM_RESTS, index);
     let below = match sign {
         Sign::Positive => fast_two_difference(x, whole),
         Sign::Any => two_difference(x, whole),
@@ -132,7 +114,7 @@ pub(crate) fn log_excess(x: Number, sign: Sign) -> (DoubleDouble, Number) {
     let f_rest = rest - f * rest;
     let cubic = half.hi * f * polynomial(f, &LOG_TAIL);
     let exact_rests = (below.lo + bracket.lo) + (sum.lo + half.lo);
-    let lo = (exact_rests - (whole_rest + f_rest)) - cubic;
+    let lo = (exact_rests - (k * LN2_LO + f_rest)) - cubic;
     (DoubleDouble { hi: sum.hi, lo }, product.hi)
 }
 
