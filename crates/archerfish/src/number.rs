@@ -61,7 +61,8 @@ impl Order for f64 {
 
     #[inline(always)]
     fn select(condition: bool, a: f64, b: f64) -> f64 {
-        if condition { a } else { b }
+        // not `if`: around long computations of which one is kept that remains a branch
+        core::hint::select_unpredictable(condition, a, b)
     }
 }
 
