@@ -123,38 +123,54 @@ macro_rules! short {
 }
 pub(crate) use short;
 
-/// Defines `$twins`, a loop over blocks of so many elements. With an ordinary kernel that one goes first,
+/// Fills block k: both halves in step, each of the compiler's vectors; or by vectors written down.
+macro_rules! block {
+    (twins, $block:expr, $k:ident; $module:ident::$kernel:ident, $($x:ident),+ => $out:ident) => {
+        const HALF: usize = $block / 2;
+        for i in 0..HALF {
+            let values = $crate::twins::$module::$kernel(
+                $($crate::twin::Twin([$x[$k][i], $x[$k][HALF + i]])),+
+            );
+            [$out[$k][i], $out[$k][HALF + i]] = values.0;
+        }
+    };
+    (wides, $block:expr, $k:ident; $module:ident::$kernel:ident, $($x:ident),+ => $out:ident) => {
+        $crate::wides::$module::$kernel($((&$x[$k]).into()),+).store(&mut $out[$k]);
+    };
+}
+pub(crate) use block;
+
+/// Defines `$name`, a loop over blocks of so many elements. With an ordinary kernel that one goes first,
 /// and blocks where it declines an element go through the whole one.
-macro_rules! twins {
-    ($twins:ident, $whole:ident, $features:literal, $block:expr;
+macro_rules! in_blocks {
+    ($how:ident, $name:ident, $whole:ident, $features:literal, $block:expr;
      $module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
-        $crate::dispatch::twins!(@ $whole, $features, $block; $module::$kernel, $($x),+);
-        $crate::dispatch::twins!(@ $twins, $features, $block; $module::$ordinary, $($x),+ => |k, out| {
-            if $crate::dispatch::declined(&out[k]) {
-                $whole($(&$x[k..=k],)+ &mut out[k..=k]);
+        $crate::dispatch::in_blocks!(
+            @ $how, $whole, $features, $block; $module::$kernel, $($x),+
+        );
+        $crate::dispatch::in_blocks!(
+            @ $how, $name, $features, $block; $module::$ordinary, $($x),+ => |k, out| {
+                if $crate::dispatch::declined(&out[k]) {
+                    $whole($(&$x[k..=k],)+ &mut out[k..=k]);
+                }
             }
-        });
+        );
     };
-    ($twins:ident, $whole:ident, $features:literal, $block:expr;
+    ($how:ident, $name:ident, $whole:ident, $features:literal, $block:expr;
      $module:ident::$kernel:ident, $($x:ident),+) => {
-        $crate::dispatch::twins!(@ $twins, $features, $block; $module::$kernel, $($x),+);
+        $crate::dispatch::in_blocks!(@ $how, $name, $features, $block; $module::$kernel, $($x),+);
     };
-    (@ $name:ident, $features:literal, $block:expr; $module:ident::$kernel:ident, $($x:ident),+
+    (@ $how:ident, $name:ident, $features:literal, $block:expr;
+     $module:ident::$kernel:ident, $($x:ident),+
      $(=> |$k:ident, $done:ident| $then:block)?) => {
         // (inlined, its arguments would no longer be known not to overlap)
         #[inline(never)]
         #[target_feature(enable = $features)]
         fn $name($($x: &[[f64; $block]],)+ out: &mut [[f64; $block]]) {
-            const HALF: usize = $block / 2;
             let n = out.len();
             $(let $x = &$x[..n];)+
             for k in 0..n {
-                for i in 0..HALF {
-                    let values = $crate::twins::$module::$kernel(
-                        $($crate::twin::Twin([$x[k][i], $x[k][HALF + i]])),+
-                    );
-                    [out[k][i], out[k][HALF + i]] = values.0;
-                }
+                $crate::dispatch::block!($how, $block, k; $module::$kernel, $($x),+ => out);
                 $({
                     let $k = k;
                     let $done = &mut *out;
@@ -164,50 +180,16 @@ macro_rules! twins {
         }
     };
 }
-pub(crate) use twins;
+pub(crate) use in_blocks;
 
-/// Defines `$wides`, like `$twins`, over blocks of vectors.
-macro_rules! wides {
-    ($wides:ident, $whole:ident, $features:literal;
-     $module:ident::$kernel:ident or $ordinary:ident, $($x:ident),+) => {
-        $crate::dispatch::wides!(@ $whole, $features; $module::$kernel, $($x),+);
-        $crate::dispatch::wides!(@ $wides, $features; $module::$ordinary, $($x),+ => |k, out| {
-            if $crate::dispatch::declined(&out[k]) {
-                $whole($(&$x[k..=k],)+ &mut out[k..=k]);
-            }
-        });
-    };
-    ($wides:ident, $whole:ident, $features:literal; $module:ident::$kernel:ident, $($x:ident),+) => {
-        $crate::dispatch::wides!(@ $wides, $features; $module::$kernel, $($x),+);
-    };
-    (@ $name:ident, $features:literal; $module:ident::$kernel:ident, $($x:ident),+
-     $(=> |$k:ident, $done:ident| $then:block)?) => {
-        #[inline(never)]
-        #[target_feature(enable = $features)]
-        fn $name($($x: &[[f64; $crate::wide::BLOCK]],)+ out: &mut [[f64; $crate::wide::BLOCK]]) {
-            let n = out.len();
-            $(let $x = &$x[..n];)+
-            for k in 0..n {
-                $crate::wides::$module::$kernel($((&$x[k]).into()),+).store(&mut out[k]);
-                $({
-                    let $k = k;
-                    let $done = &mut *out;
-                    $then
-                })?
-            }
-        }
-    };
-}
-pub(crate) use wides;
-
-/// Fills whole blocks by `$twins`, if there are some, and leaves the rest of the slices.
+/// Fills whole blocks by `$name`, if there are some, and leaves the rest of the slices.
 macro_rules! blocks {
-    ($twins:ident, $block:expr; $($x:ident),+ => $out:ident) => {
+    ($name:ident, $block:expr; $($x:ident),+ => $out:ident) => {
         let n = $out.len();
         let whole = if n < $crate::twins::SHORT { 0 } else { n - n % $block };
         $(let $x = $x.split_at(whole);)+
         let (blocks, $out) = $out.split_at_mut(whole);
-        $twins($($x.0.as_chunks().0,)+ blocks.as_chunks_mut().0);
+        $name($($x.0.as_chunks().0,)+ blocks.as_chunks_mut().0);
         $(let $x = $x.1;)+
     };
 }
@@ -232,13 +214,14 @@ macro_rules! batch {
                 $crate::dispatch::short!(fused $(or $module::$ordinary)?; $($x),+ => out);
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::twins!(
-                twins_avx2, whole_avx2, "avx2,fma", $crate::twins::AVX2_BLOCK;
+            $crate::dispatch::in_blocks!(
+                twins, twins_avx2, whole_avx2, "avx2,fma", $crate::twins::BLOCK;
                 $module::$kernel $(or $ordinary)?, $($x),+
             );
             #[cfg(target_arch = "x86_64")]
-            $crate::dispatch::wides!(
-                wides_avx512, whole_avx512, "avx512f,avx512dq,avx512vl,fma";
+            $crate::dispatch::in_blocks!(
+                wides, wides_avx512, whole_avx512, "avx512f,avx512dq,avx512vl,fma",
+                $crate::wide::BLOCK;
                 $module::$kernel $(or $ordinary)?, $($x),+
             );
             match $crate::dispatch::isa() {
@@ -247,7 +230,7 @@ macro_rules! batch {
                 #[cfg(target_arch = "x86_64")]
                 $crate::dispatch::Isa::Avx2 => unsafe {
                     $crate::dispatch::blocks!(
-                        twins_avx2, $crate::twins::AVX2_BLOCK; $($x),+ => out
+                        twins_avx2, $crate::twins::BLOCK; $($x),+ => out
                     );
                     avx2($($x,)+ out)
                 },

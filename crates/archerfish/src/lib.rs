@@ -37,8 +37,8 @@ mod wide;
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 mod wides;
 
-/// What the kernels compute with: a double. (They are compiled for two doubles at once as well: `pairs`
-/// in a browser, `twins` for AVX2 and AVX-512.)
+/// What the kernels compute with: a double. (They are compiled for several doubles at once as well:
+/// `pairs` in a browser, `twins` for AVX2, `wides` for AVX-512.)
 pub type Number = f64;
 /// What a comparison of numbers gives.
 type Mask = bool;

@@ -1,7 +1,7 @@
 //! What a number of the kernels can do besides + − × ÷.
 //!
-//! The kernels are written over `Number`, which is f64; in a browser they are compiled once more, with
-//! two doubles side by side in its place (`pair.rs`).
+//! The kernels are written over `Number`, which is f64; they are compiled once more with several doubles
+//! side by side in its place: in a browser (`pair.rs`), for AVX2 (`twin.rs`), for AVX-512 (`wide.rs`).
 
 /// Comparisons.
 pub(crate) trait Order: Copy {
@@ -61,8 +61,7 @@ impl Order for f64 {
 
     #[inline(always)]
     fn select(condition: bool, a: f64, b: f64) -> f64 {
-        // not `if`: around long computations of which one is kept that remains a branch
-        core::hint::select_unpredictable(condition, a, b)
+        if condition { a } else { b }
     }
 }
 

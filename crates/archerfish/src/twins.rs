@@ -1,4 +1,4 @@
-//! All functions once more, from the same files, over two elements at a time, for AVX2 and AVX-512.
+//! All functions once more, from the same files, over two elements at a time, for AVX2.
 //!
 //! The compiler takes two vectors of elements at a time in each loop (`.cargo/config.toml`). One result
 //! after the other is waited for, and four are faster. With two elements in one step, two vectors are
@@ -35,9 +35,7 @@ pub mod motion;
 #[path = "real/mod.rs"]
 pub mod real;
 
-/// Elements of a block: the first half of it goes in step with the second, each as two vectors of eight.
-pub(crate) const AVX512_BLOCK: usize = 32;
-/// And as two vectors of four.
-pub(crate) const AVX2_BLOCK: usize = 16;
+/// Elements of a block: the first half of it goes in step with the second, each as two vectors of four.
+pub(crate) const BLOCK: usize = 16;
 /// Below this many elements all go the other way: too few are left in blocks.
 pub(crate) const SHORT: usize = 256;

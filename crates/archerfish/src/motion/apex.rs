@@ -14,6 +14,8 @@ const STRONG: f64 = f64::from_bits((1023 + 300) << 52);
 const STRONG_BACK: f64 = f64::from_bits((1023 - 600) << 52);
 /// Where ε sin α is below it, 2⁻⁴⁰⁰, its square may underflow.
 const FLAT: f64 = f64::from_bits((1023 - 400) << 52);
+/// Its excess, 2⁻⁸⁰¹
+const FLAT_EXCESS: f64 = f64::from_bits((1023 - 801) << 52);
 /// Above this, ln(1 + u) is nothing beside u.
 const HUGE: f64 = 1e100;
 
@@ -78,10 +80,10 @@ fn height(sin: DoubleDouble, epsilon: Number, part: Part) -> Number {
     if part == Part::Ordinary {
         return excess.div_double(epsilon * epsilon).round();
     }
-    // (chosen before the division: a choice after it the compiler makes a branch around it)
     let excess = DoubleDouble::select(u.hi.is_above(HUGE), u, excess);
     let back = select(epsilon.is_above(STRONG), STRONG_BACK, 1.0);
-    let flat = u.hi.is_below(FLAT);
+    // (by the excess, not by u: around its computation the compiler would make a branch)
+    let flat = excess.hi.is_below(FLAT_EXCESS);
     let half_square = sin.scale(LIFT).squared().scale(0.5);
     let top = DoubleDouble::select(flat, half_square, excess);
     let divisor = select(flat, 1.0, epsilon * back);

@@ -1,14 +1,14 @@
 //! The locus by elevation: the inverse of equation (10), and equation (13).
 //!
-//! Method: write α = θ + β, 0 ≤ β < 0.34, and τ = tan β. Equation (10), `tan θ = G(u) tan α`, says
-//! `α = arctan(tan θ / G(u))`, u = ε sin α, whose right side hardly depends on α; or
-//! `τ = (1 − G) cos θ sin θ / (1 − (1 − G) cos²θ)`.
+//! Method: write α = θ + β, 0 ≤ β < 0.34, τ = tan β and t = tan(β/2). Equation (10),
+//! `tan θ = G(u) tan α`, says `α = arctan(tan θ / G(u))`, u = ε sin α, whose right side hardly depends
+//! on α; or `τ = (1 − G) cos θ (sin θ + τ cos θ)`, or `2t = (1 − G) cos θ (1 + t²) sin α`.
 //!
 //! First g = G(u) itself is found to 2⁻¹⁸ in ordinary arithmetic, from
 //! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: a guess and one Newton step, on rational approximations of
-//! G. That gives τ. One step of third order on the equation for α leaves an error far below the last
-//! digit; its residual alone is formed in sums of two doubles. τ has the sine and the cosine of θ + β
-//! with it, without a further series.
+//! G. That gives τ, and t. One step of third order on the equation for α leaves an error far below the
+//! last digit; its residual alone is formed in sums of two doubles. t has the sine and the cosine of
+//! θ + β with it, without a further series or a root.
 
 use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
