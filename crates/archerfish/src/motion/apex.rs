@@ -5,7 +5,7 @@ use super::super::real::{
     Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
 };
 use super::drag::Drag;
-use super::launch::{LARGE, LIFT, Launch, SMALL, is_within, within_domain};
+use super::launch::{LARGE, LIFT, Launch, SMALL, is_ordinary, is_within, within_domain};
 
 /// Drag parameters below it, 2⁻⁶⁰, make no difference to a height.
 const WEAK: f64 = f64::from_bits((1023 - 60) << 52);
@@ -56,13 +56,17 @@ impl Launch {
     /// `θ = α − arctan τ`, `τ = (1 − G) sin α cos α / (1 − (1 − G) sin²α)`: equation (10), and τ² is at
     /// most 1/8
     #[inline(always)]
-    fn elevation(&self, alpha: Number) -> Number {
+    fn elevation(&self, alpha: Number, part: Part) -> Number {
+        let (lift, back) = match part {
+            Part::Whole => (LARGE, SMALL),
+            Part::Ordinary => (1.0, 1.0),
+        };
         let Drag { loss, square, .. } = Drag::at(self.u.hi);
         // further lifted, for the loss may be as small as 2⁻¹²¹
-        let lifted = self.sin.scale(LARGE).times(loss);
-        let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * SMALL));
+        let lifted = self.sin.scale(lift).times(loss);
+        let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * back));
         let divisor = DoubleDouble { hi: divisor.hi, lo: divisor.lo + square.lo };
-        let tau = lifted.times(self.cos).div(divisor).scale(SMALL);
+        let tau = lifted.times(self.cos).div(divisor).scale(back);
         let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
     }
@@ -101,7 +105,7 @@ pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
         within_domain(alpha, eps, height(sin_upper(alpha), eps, Part::Whole)),
-        within_domain(alpha, eps, launch.elevation(alpha)),
+        within_domain(alpha, eps, launch.elevation(alpha, Part::Whole)),
         within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
@@ -153,4 +157,12 @@ pub fn apex_distance(alpha: Number, eps: Number) -> Number {
 #[inline(always)]
 pub fn apex_elevation(alpha: Number, eps: Number) -> Number {
     apex(alpha, eps).2
+}
+
+/// `apex_elevation` without what only angles next to 0 and to π need; ∞ for them, and outside the domain.
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
+#[inline(always)]
+pub(crate) fn apex_elevation_ordinary(alpha: Number, eps: Number) -> Number {
+    let value = Launch::at(alpha, eps).elevation(alpha, Part::Ordinary);
+    select(is_ordinary(alpha, eps), value, f64::INFINITY)
 }

@@ -7,7 +7,7 @@
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_product};
 use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
-use super::launch::{LIFT, Launch, within_domain};
+use super::launch::{LIFT, Launch, is_ordinary, within_domain};
 use super::locus::{Digits, Elevated};
 
 /// 2⁶⁰⁰
@@ -62,4 +62,14 @@ pub fn locus_curvature(theta: Number, eps: Number) -> Number {
         // both squares: an error of one alone is up to eight times as great in 1 less it
         launch.curvature(launch.sin.squared(), launch.cos.squared())
     })
+}
+
+/// `locus_curvature` without what only angles next to 0 and to π need; ∞ for them, and outside the
+/// domain. (Where ρK itself is ∞ the whole says so.)
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
+#[inline(always)]
+pub(crate) fn locus_curvature_ordinary(theta: Number, eps: Number) -> Number {
+    let launch = Elevated::new(theta, eps, Digits::More).launch();
+    let value = launch.curvature(launch.sin.squared(), launch.cos.squared());
+    select(is_ordinary(theta, eps), value, f64::INFINITY)
 }

@@ -90,6 +90,16 @@ pub(crate) fn within_domain(angle: Number, epsilon: Number, value: Number) -> Nu
     select(in_domain(angle, epsilon), value, f64::NAN)
 }
 
+/// Whether nothing on the way is subnormal, and the angle and the drag parameter are in the domain.
+#[inline(always)]
+pub(crate) fn is_ordinary(angle: Number, epsilon: Number) -> Mask {
+    /// 2⁻³⁰⁰
+    const ORDINARY: f64 = f64::from_bits((1023 - 300) << 52);
+    lesser(angle, core::f64::consts::PI - angle).is_at_least(ORDINARY)
+        & epsilon.is_at_least(0.0)
+        & epsilon.is_at_most(f64::MAX)
+}
+
 /// Below this, 2⁻⁵⁰⁰, a square is subnormal; times `LARGE`, 2⁴⁰⁰, it is not, and still tiny.
 pub(crate) const TINY: f64 = f64::from_bits((1023 - 500) << 52);
 pub(crate) const LARGE: f64 = f64::from_bits((1023 + 400) << 52);

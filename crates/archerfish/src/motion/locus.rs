@@ -15,7 +15,7 @@ use super::super::real::double_double::{
 };
 use super::super::real::{Mask, Number, lesser, polynomial, select, sin_cos_mirrored, sqrt};
 use super::drag::Drag;
-use super::launch::{Launch, Scaled, q_without_one_rest, within_domain};
+use super::launch::{Launch, Scaled, is_ordinary, q_without_one_rest, within_domain};
 
 // rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
 const ROUGH_GAIN_TOP: [f64; 5] = [1.000003117, 44.77477818, 251.6053412, 167.0320133, -18.25660729];
@@ -175,7 +175,6 @@ impl Elevated {
         let (by_left, by_right) = (right * inverse, left * inverse);
         // the angle between two tangents
         let residual = value * (by_left * slope);
-        let residual = residual - residual * (residual * residual) * (1.0 / 3.0);
         let by_slope = by_left * bottom;
         let e = e_top * (by_right * stretch);
         let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
@@ -276,4 +275,21 @@ pub fn locus_launch_angle(theta: Number, eps: Number) -> Number {
 pub fn locus_radius(theta: Number, eps: Number) -> Number {
     let Scaled { angle, epsilon, back } = Scaled::new(theta, eps);
     within_domain(theta, eps, Elevated::new(angle, epsilon, Digits::More).radius() * back)
+}
+
+/// `locus_launch_angle` without what only angles next to 0 and to π need; ∞ for them, and outside the
+/// domain.
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
+#[inline(always)]
+pub(crate) fn locus_launch_angle_ordinary(theta: Number, eps: Number) -> Number {
+    let value = Elevated::new(theta, eps, Digits::Enough).launch_angle();
+    select(is_ordinary(theta, eps), value, f64::INFINITY)
+}
+
+/// `locus_radius`, as `locus_launch_angle_ordinary`.
+#[allow(dead_code, reason = "for dispatch alone, which not every build has")]
+#[inline(always)]
+pub(crate) fn locus_radius_ordinary(theta: Number, eps: Number) -> Number {
+    let value = Elevated::new(theta, eps, Digits::More).radius();
+    select(is_ordinary(theta, eps), value, f64::INFINITY)
 }

@@ -13,11 +13,15 @@ mod drag;
 mod launch;
 mod locus;
 
-#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
-pub(crate) use apex::apex_y_ordinary;
 pub use apex::{apex, apex_distance, apex_elevation, apex_time, apex_x, apex_y};
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
+pub(crate) use apex::{apex_elevation_ordinary, apex_y_ordinary};
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
+pub(crate) use curvature::locus_curvature_ordinary;
 pub use curvature::{apex_curvature, locus_curvature};
 pub use derivatives::{
     locus_launch_angle_d1, locus_launch_angle_d2, locus_launch_angle_derivatives,
 };
 pub use locus::{locus_launch_angle, locus_radius};
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
+pub(crate) use locus::{locus_launch_angle_ordinary, locus_radius_ordinary};
