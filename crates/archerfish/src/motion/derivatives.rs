@@ -17,7 +17,7 @@ use super::super::real::double_double::DoubleDouble;
 use super::super::real::{Number, Order, greater, select};
 use super::drag::logarithm;
 use super::launch::{LARGE, LIFT, SMALL, within_domain};
-use super::locus::{Digits, Elevated};
+use super::locus::{Digits, Elevated, Place};
 
 /// 2⁻⁹⁰⁰, 2⁻⁸⁰⁰ and 2⁻³³⁰
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
@@ -29,14 +29,15 @@ impl Elevated {
     /// dα/dθ and d²α/dθ² for θ > 0
     #[inline(always)]
     fn launch_angle_derivatives(&self) -> (Number, Number) {
+        let Place { sin_theta, cos_theta, .. } = self.place;
         let (sin, cos) = self.direction();
         let u = sin.times_double(self.epsilon);
         let q = u.add_positive(1.0);
         let up = q.times(sin);
         let (up_sin, cos2) = (up.times(sin), cos.squared());
         let top = up.times(cos);
-        let bottom = top.times(self.cos_theta).plus(up_sin.minus(cos2).times(self.sin_theta));
-        let below = bottom.times(self.cos_theta);
+        let bottom = top.times(cos_theta).plus(up_sin.minus(cos2).times(sin_theta));
+        let below = bottom.times(cos_theta);
         let inverse = 1.0 / below.hi;
         let first = top.div_by(below, inverse);
 
@@ -53,13 +54,13 @@ impl Elevated {
         let a = r_n.times(u_n);
         let q_a_by_u = r_n.times(n.add_positives(u_n));
 
-        let (higher, lower) = (sin.times(self.cos_theta), cos.times(self.sin_theta));
-        let stretched = up.times(self.cos_theta).minus(lower).scale(2.0 / LIFT);
+        let (higher, lower) = (sin.times(cos_theta), cos.times(sin_theta));
+        let stretched = up.times(cos_theta).minus(lower).scale(2.0 / LIFT);
         let w = higher.add_positives(lower).add_positives(a.times(stretched)).scale(2.0);
         let whole = cos2.add_positive(1.0).add_positives(up_sin).scale(2.0 / LIFT);
         let c = cos2.minus(q_a_by_u.times(whole)).times(cos);
 
-        let f = sin.div(self.sin_theta.add_positives(higher.times(cos).scale(2.0 / LIFT).times(a)));
+        let f = sin.div(sin_theta.add_positives(higher.times(cos).scale(2.0 / LIFT).times(a)));
         let drag = DoubleDouble::from(self.epsilon).div(q).times(f);
         let second = w.plus(drag.times(c)).times(f).times(first);
         let sign = select(self.right, -1.0, 1.0);

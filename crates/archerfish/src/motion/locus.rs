@@ -57,25 +57,90 @@ const HALF_ATAN_TAIL: [f64; 7] = [
     -0.12028720885296493,
 ];
 
-/// The shot whose apex is seen at a given elevation.
-pub(crate) struct Elevated {
+/// A direction α₀ = θ + β₀ near that of the launch.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
     pub sin_theta: DoubleDouble,
     /// |cos θ|
     pub cos_theta: DoubleDouble,
-    pub epsilon: Number,
-    /// whether θ ≤ π/2
-    pub right: Mask,
-    theta: Number,
     /// `t = tan(β₀/2)`
     half_tan: Number,
     /// `1 − t²`
     rest: DoubleDouble,
     /// `1/(1 + t²)`
     inverse: DoubleDouble,
-    /// `(1 + t²) sin(θ + β₀) = (1 − t²) sin θ + 2t cos θ`
+    /// `(1 + t²) sin α₀ = (1 − t²) sin θ + 2t cos θ`
     up: DoubleDouble,
-    /// `α − θ − β₀`, for θ ≤ π/2
+}
+
+/// The shot whose apex is seen at a given elevation.
+pub(crate) struct Elevated {
+    pub place: Place,
+    pub epsilon: Number,
+    /// whether θ ≤ π/2
+    pub right: Mask,
+    theta: Number,
+    /// `α − α₀`, for θ ≤ π/2
     step: Number,
+}
+
+impl Place {
+    /// The step of third order from α₀ to the solution of `α = arctan(tan θ / G)`, given u at α₀.
+    ///
+    /// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
+    /// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
+    /// with sin α: it is computed in units of sin α. All divisions but that by u² are one.
+    #[inline(always)]
+    fn step(&self, u: Number, digits: Digits) -> Number {
+        let up = self.up;
+        let (sin, cos) = (self.sin_theta.hi, self.cos_theta);
+        let twice = self.half_tan + self.half_tan;
+        let along = cos.hi * self.rest.hi - twice * sin;
+        let sin_alpha = up.hi * self.inverse.hi;
+        let cos_alpha = along * self.inverse.hi;
+        let drag = Drag::at(u);
+        let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
+        let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
+
+        // how far 2t is from (1 − t²) times the right side
+        let value = match digits {
+            Digits::More => {
+                let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
+                (product.hi - twice) + product.lo
+            }
+            Digits::Enough => {
+                let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
+                let product = drag.loss.div_by(drag.square, inverse).times(across);
+                (product.hi - twice) + product.lo
+            }
+        };
+        let cos = cos.hi;
+        let cos2 = cos * cos;
+        let gain = 1.0 - gain_rest;
+        let bottom = self.rest.hi - gain_rest * (cos * along);
+        let stretch = sin * sin + gain * gain * cos2;
+        // 1 less the derivative of the right side by α, times what makes it positive
+        let slope = (stretch * sin_alpha + sin * cos * a * cos_alpha) + 1e-290;
+
+        let q = 1.0 + u;
+        let (left, right) = (bottom * slope, stretch * q);
+        let inverse = 1.0 / (left * right);
+        // here, while the division is under way (bench/NOTES.md, "Order")
+        let turned = a * cos_alpha;
+        let e_top = 2.0 - (4.0 + u) * gain_rest;
+        let cos_alpha2 = cos_alpha * cos_alpha;
+        let turned_square = 2.0 * gain * (turned * turned);
+        let across = sin * cos;
+        let (by_left, by_right) = (right * inverse, left * inverse);
+        // the tangent of what is left, whose cube is next to nothing
+        let residual = value * (by_left * slope);
+        let by_slope = by_left * bottom;
+        let e = e_top * (by_right * stretch);
+        let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
+        let newton = residual * stretch * by_slope;
+        let quadratic = 0.5 * bend * (across * by_slope);
+        sin_alpha * (newton - newton * newton * quadratic)
+    }
 }
 
 impl Elevated {
@@ -109,85 +174,16 @@ impl Elevated {
             Digits::More => up.times(inverse).times_double(epsilon).round(),
             Digits::Enough => up.hi * inverse.hi * epsilon,
         };
-        let mut found = Elevated {
-            sin_theta,
-            cos_theta,
-            epsilon,
-            right,
-            theta,
-            half_tan,
-            rest,
-            inverse,
-            up,
-            step: u,
-        };
-        found.step = found.step_to_launch(u, digits);
-        found
-    }
-
-    /// The step of third order from α₀ = θ + β₀ to the solution of `α = arctan(tan θ / G)`, given u at α₀.
-    ///
-    /// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
-    /// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
-    /// with sin α: it is computed in units of sin α. All divisions but that by u² are one.
-    #[inline(always)]
-    fn step_to_launch(&self, u: Number, digits: Digits) -> Number {
-        let Elevated { up, .. } = *self;
-        let (sin, cos) = (self.sin_theta.hi, self.cos_theta);
-        let twice = self.half_tan + self.half_tan;
-        let along = cos.hi * self.rest.hi - twice * sin;
-        let sin_alpha = up.hi * self.inverse.hi;
-        let cos_alpha = along * self.inverse.hi;
-        let drag = Drag::at(u);
-        let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
-        let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
-
-        // how far 2t is from (1 − t²) times the right side
-        let value = match digits {
-            Digits::More => {
-                let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
-                (product.hi - twice) + product.lo
-            }
-            Digits::Enough => {
-                let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
-                let product = drag.loss.div_by(drag.square, inverse).times(across);
-                (product.hi - twice) + product.lo
-            }
-        };
-        let cos = cos.hi;
-        let cos2 = cos * cos;
-        let gain = 1.0 - gain_rest;
-        let bottom = self.rest.hi - gain_rest * (cos * along);
-        let stretch = sin * sin + gain * gain * cos2;
-        // 1 less the derivative of the right side by α, times what makes it positive
-        let slope = stretch * sin_alpha + sin * cos * a * cos_alpha;
-        let slope = slope + 1e-290;
-
-        let q = 1.0 + u;
-        let (left, right) = (bottom * slope, stretch * q);
-        let inverse = 1.0 / (left * right);
-        // here, while the division is under way (bench/NOTES.md, "Order")
-        let turned = a * cos_alpha;
-        let e_top = 2.0 - (4.0 + u) * gain_rest;
-        let cos_alpha2 = cos_alpha * cos_alpha;
-        let turned_square = 2.0 * gain * (turned * turned);
-        let across = sin * cos;
-        let (by_left, by_right) = (right * inverse, left * inverse);
-        // the angle between two tangents
-        let residual = value * (by_left * slope);
-        let by_slope = by_left * bottom;
-        let e = e_top * (by_right * stretch);
-        let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
-        let newton = residual * stretch * by_slope;
-        let quadratic = 0.5 * bend * (across * by_slope);
-        sin_alpha * (newton - newton * newton * quadratic)
+        let place = Place { sin_theta, cos_theta, half_tan, rest, inverse, up };
+        let step = place.step(u, digits);
+        Elevated { place, epsilon, right, theta, step }
     }
 
     /// α in [0, π]
     #[inline(always)]
     pub fn launch_angle(&self) -> Number {
         let sign = select(self.right, 1.0, -1.0);
-        let t = self.half_tan;
+        let t = self.place.half_tan;
         let sum = fast_two_sum(self.theta, sign * (t + t));
         // β₀ − 2t
         let z = t * t;
@@ -199,9 +195,9 @@ impl Elevated {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn direction(&self) -> (DoubleDouble, DoubleDouble) {
-        let turned = self.sin_theta.times_double(self.half_tan + self.half_tan);
-        let along = self.cos_theta.times(self.rest).sub_smaller(turned);
-        let (sin, cos) = (self.up.times(self.inverse), along.times(self.inverse));
+        let Place { sin_theta, cos_theta, half_tan, rest, inverse, up } = self.place;
+        let along = cos_theta.times(rest).sub_smaller(sin_theta.times_double(half_tan + half_tan));
+        let (sin, cos) = (up.times(inverse), along.times(inverse));
         let half_square = 0.5 * self.step * self.step;
         let sin_change = self.step * cos.hi - half_square * sin.hi;
         let cos_change = self.step * -sin.hi - half_square * cos.hi;
@@ -220,7 +216,7 @@ impl Elevated {
     fn radius(&self) -> Number {
         let (sin, cos) = self.direction();
         let q = q_without_one_rest(sin, self.epsilon);
-        sin.times(cos).quotient(q.times_double(self.cos_theta.hi))
+        sin.times(cos).quotient(q.times_double(self.place.cos_theta.hi))
     }
 }
 
