@@ -85,6 +85,14 @@ def log_tail(f):
     )(f)
 
 
+def weak_gain(u):
+    """(1/3 − (2G(u) − 1)/u) / u."""
+    return taylor_near_zero(
+        lambda t: (mp.mpf(1) / 3 - ((1 + t) ** 2 - 1 - 2 * (1 + t) * mp.log1p(t)) / t**3) / t,
+        lambda k: 2 * mp.mpf(-1) ** k / ((k + 3) * (k + 4)),
+    )(u)
+
+
 def sin_tail(z):
     """(sin(√z)/√z − 1) / z."""
     return taylor_near_zero(
@@ -177,9 +185,9 @@ TAN_EIGHTH_PI = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
 FITS = {
     "exp_tail": Fit(exp_tail, -HALF_LN2, HALF_LN2, 9, lambda x: abs(x) ** 3),
     "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
-    "artanh_tail": Fit(atanh_tail, 0, mp.mpf("0.11112"), 10, lambda z: z),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "log_tail": Fit(log_tail, mp.mpf("-0.0298"), mp.mpf("0.03126"), 7, abs),
+    "weak_gain": Fit(weak_gain, 0, mp.mpf("0.042"), 6, lambda u: u),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
@@ -412,18 +420,6 @@ def lawson(start):
     return top, bottom, best[0]
 
 
-def rough_gain_slope():
-    """Numerator of u G′(u) over the denominator of `rough_gain`, by plain least squares."""
-    _, bottom, _ = lawson(rough_gain())
-    x = 1 / np.sqrt(1 + DRAGS)
-    slope = 1 - (2 + DRAGS) / (1 + DRAGS) * gain(DRAGS)
-    slope = np.where(DRAGS < 1e-3, DRAGS / 6 - DRAGS**2 / 6, slope)
-    rows = x[:, None] ** np.arange(6) / np.polynomial.Polynomial(bottom)(x)[:, None]
-    coefficients, *_ = np.linalg.lstsq(rows, slope, rcond=None)
-    worst = abs(rows @ coefficients - slope).max()
-    return [float(f"{c:.10g}") for c in coefficients], worst
-
-
 def rough_root():
     """The a, b, c that make `rougher_gain` at v (1 + c v)/(1 + c v − (a + b v) cos²θ) a guess of g.
 
@@ -449,7 +445,6 @@ def rough_root():
 
 
 SEARCHES = {
-    "rough_gain_slope": ("least squares", rough_gain_slope),
     "rough_root": ("least greatest error", rough_root),
 }
 

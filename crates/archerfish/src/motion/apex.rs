@@ -4,8 +4,8 @@ use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_
 use super::super::real::{
     Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
 };
-use super::drag::Drag;
-use super::launch::{LARGE, LIFT, Launch, SMALL, is_ordinary, is_within, within_domain};
+use super::drag::{self, Drag};
+use super::launch::{LARGE, LIFT, Launch, Part, SMALL, is_ordinary, is_within, within_domain};
 
 /// Drag parameters below it, 2⁻⁶⁰, make no difference to a height.
 const WEAK: f64 = f64::from_bits((1023 - 60) << 52);
@@ -18,13 +18,6 @@ const FLAT: f64 = f64::from_bits((1023 - 400) << 52);
 const FLAT_EXCESS: f64 = f64::from_bits((1023 - 801) << 52);
 /// Above this, ln(1 + u) is nothing beside u.
 const HUGE: f64 = 1e100;
-
-/// How much of the domain a kernel is for (DESIGN.md, "ordinary part").
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
-    Whole,
-    Ordinary,
-}
 
 impl Launch {
     /// `x = sin α cos α / q`
@@ -61,7 +54,7 @@ impl Launch {
             Part::Whole => (LARGE, SMALL),
             Part::Ordinary => (1.0, 1.0),
         };
-        let Drag { loss, square, .. } = Drag::at(self.u.hi);
+        let (loss, square) = Drag::at(self.u.hi, drag::STRONG).loss_and_square();
         // further lifted, for the loss may be as small as 2⁻¹²¹
         let lifted = self.sin.scale(lift).times(loss);
         let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * back));

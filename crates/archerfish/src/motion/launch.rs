@@ -2,7 +2,14 @@
 
 use super::super::real::double_double::{DoubleDouble, rest_of_product};
 use super::super::real::{Mask, Number, Order, lesser, select, sin_cos_upper};
-use super::drag::Drag;
+use super::drag::{self, Drag};
+
+/// How much of the domain a kernel is for (DESIGN.md, "ordinary part").
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Whole,
+    Ordinary,
+}
 
 /// A launch at angle α with drag parameter ε.
 pub(crate) struct Launch {
@@ -55,7 +62,7 @@ impl Launch {
     /// `G(u)`
     #[inline(always)]
     pub fn gain(&self) -> DoubleDouble {
-        let Drag { loss, square, .. } = Drag::at(self.u.hi);
+        let (loss, square) = Drag::at(self.u.hi, drag::STRONG).loss_and_square();
         square.sub_smaller(loss).div(square)
     }
 }

@@ -1,20 +1,21 @@
 //! The locus by elevation: the inverse of equation (10), and equation (13).
 //!
 //! Method: write α = θ + β, 0 ≤ β < 0.34, τ = tan β and t = tan(β/2). Equation (10),
-//! `tan θ = G(u) tan α`, says `α = arctan(tan θ / G(u))`, u = ε sin α, whose right side hardly depends
-//! on α; or `τ = (1 − G) cos θ (sin θ + τ cos θ)`, or `2t = (1 − G) cos θ (1 + t²) sin α`.
+//! `tan θ = G(u) tan α`, u = ε sin α, says `sin β = (1 − G) sin α cos θ`, or
+//! `2t = (1 − G) cos θ (1 + t²) sin α`.
 //!
 //! First g = G(u) itself is found to 2⁻¹⁸ in ordinary arithmetic, from
 //! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: a guess and one Newton step, on rational approximations of
 //! G. That gives τ, and t. One step of third order on the equation for α leaves an error far below the
 //! last digit; its residual alone is formed in sums of two doubles. t has the sine and the cosine of
-//! θ + β with it, without a further series or a root.
+//! θ + β with it, without a further series or a root. Derivatives of G are rational in G and u
+//! (`drag.rs`), and cost next to nothing.
 
 use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
 };
 use super::super::real::{Mask, Number, lesser, polynomial, select, sin_cos_mirrored, sqrt};
-use super::drag::Drag;
+use super::drag::{self, Drag};
 use super::launch::{Launch, Scaled, is_ordinary, q_without_one_rest, within_domain};
 
 // rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
@@ -28,9 +29,6 @@ const STRETCH_ROOT_TOP: [f64; 3] = [0.1372878259, 2.870998001, 2.828428691];
 const STRETCH_ROOT_BOTTOM: [f64; 3] = [1.0, 4.060205059, 0.7766179411];
 // rough_root: least greatest error, error 0.002: reference/coefficients.py rough_root
 const ROUGH_ROOT: [f64; 3] = [0.4643173479, 0.01417694834, 0.3340496884];
-// rough_gain_slope: least squares, error 0.00016: reference/coefficients.py rough_gain_slope
-const ROUGH_GAIN_SLOPE: [f64; 6] =
-    [-9.308471175e-06, 0.02536088662, 7.435762406, 158.6600913, -39.50637987, -126.6566319];
 
 /// How well the launch is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -80,66 +78,67 @@ pub(crate) struct Elevated {
     /// whether θ ≤ π/2
     pub right: Mask,
     theta: Number,
+    /// `u₀ = ε sin α₀`
+    u: DoubleDouble,
+    pub step: Step,
+}
+
+/// The way from α₀ to α.
+#[derive(Clone, Copy)]
+pub(super) struct Step {
     /// `α − α₀`, for θ ≤ π/2
-    step: Number,
+    angle: Number,
+    /// `cos α₀`
+    cos_alpha: Number,
+    /// `1/u₀`, between the bounds of `Drag`
+    by_u: Number,
+    /// `1 + u₀`
+    q: Number,
+    /// `1 − G(u₀)`
+    gain_rest: DoubleDouble,
 }
 
 impl Place {
-    /// The step of third order from α₀ to the solution of `α = arctan(tan θ / G)`, given u at α₀.
+    /// The step of third order from α₀ to where `F = sin(α − θ) − h sin α cos θ` is zero, h = 1 − G.
     ///
-    /// For functions of u, u d/du is tan α d/dα; with `e = u da/du = (2 − (4 + u)(1 − G))/(1 + u)` that
-    /// gives the first two derivatives of G, which grow with 1/sin α and 1/sin²α, while the step shrinks
-    /// with sin α: it is computed in units of sin α. All divisions but that by u² are one.
+    /// With `u h′ = −a`, `q (h − a) = G` and `q (a + e) = 2G − 1 = w`,
+    /// `q F′ = q cos β − G cos α cos θ` and
+    /// `q F″ = cos θ (G sin α + (w/sin α) cos²α) − q sin β`. All are taken times 1 + t².
     #[inline(always)]
-    fn step(&self, u: Number, digits: Digits) -> Number {
+    fn step(&self, u: Number, epsilon: Number, digits: Digits) -> Step {
         let up = self.up;
         let (sin, cos) = (self.sin_theta.hi, self.cos_theta);
         let twice = self.half_tan + self.half_tan;
         let along = cos.hi * self.rest.hi - twice * sin;
-        let sin_alpha = up.hi * self.inverse.hi;
         let cos_alpha = along * self.inverse.hi;
-        let drag = Drag::at(u);
-        let (u, inverse) = (drag.u, 1.0 / drag.square.hi);
-        let (gain_rest, a) = drag.gain_rest_and_slope(inverse);
+        let drag = Drag::at(u, drag::STRONGEST);
+        let u = drag.u;
+        let inverse = 1.0 / u;
+        let gain_rest = drag.gain_rest(inverse);
 
-        // how far 2t is from (1 − t²) times the right side
+        // −F
         let value = match digits {
             Digits::More => {
-                let product = up.times(cos).times(drag.loss).div_by(drag.square, inverse);
+                let product = up.times(cos).times(gain_rest);
                 (product.hi - twice) + product.lo
             }
             Digits::Enough => {
                 let across = DoubleDouble { hi: up.hi * cos.hi, lo: up.lo * cos.hi };
-                let product = drag.loss.div_by(drag.square, inverse).times(across);
+                let product = gain_rest.times(across);
                 (product.hi - twice) + product.lo
             }
         };
         let cos = cos.hi;
-        let cos2 = cos * cos;
-        let gain = 1.0 - gain_rest;
-        let bottom = self.rest.hi - gain_rest * (cos * along);
-        let stretch = sin * sin + gain * gain * cos2;
-        // 1 less the derivative of the right side by α, times what makes it positive
-        let slope = (stretch * sin_alpha + sin * cos * a * cos_alpha) + 1e-290;
-
+        let gain = 1.0 - gain_rest.hi;
         let q = 1.0 + u;
-        let (left, right) = (bottom * slope, stretch * q);
-        let inverse = 1.0 / (left * right);
+        let slope = q * self.rest.hi - (along * cos) * gain;
+        let by_slope = 1.0 / slope;
         // here, while the division is under way (bench/NOTES.md, "Order")
-        let turned = a * cos_alpha;
-        let e_top = 2.0 - (4.0 + u) * gain_rest;
-        let cos_alpha2 = cos_alpha * cos_alpha;
-        let turned_square = 2.0 * gain * (turned * turned);
-        let across = sin * cos;
-        let (by_left, by_right) = (right * inverse, left * inverse);
-        // the tangent of what is left, whose cube is next to nothing
-        let residual = value * (by_left * slope);
-        let by_slope = by_left * bottom;
-        let e = e_top * (by_right * stretch);
-        let bend = e * cos_alpha2 - a - turned_square * (cos2 * (by_right * q));
-        let newton = residual * stretch * by_slope;
-        let quadratic = 0.5 * bend * (across * by_slope);
-        sin_alpha * (newton - newton * newton * quadratic)
+        let w_by_sin = (gain - gain_rest.hi) * (epsilon * inverse);
+        let bend = cos * (up.hi * gain + w_by_sin * (cos_alpha * along)) - q * twice;
+        let newton = (value * q) * by_slope;
+        let angle = newton - (0.5 * newton) * ((bend * newton) * by_slope);
+        Step { angle, cos_alpha, by_u: inverse, q, gain_rest }
     }
 }
 
@@ -171,12 +170,15 @@ impl Elevated {
         let inverse_rest = rest_of_product(1.0, whole.hi, inverse) - inverse * whole_rest;
         let inverse = DoubleDouble { hi: inverse, lo: inverse * inverse_rest };
         let u = match digits {
-            Digits::More => up.times(inverse).times_double(epsilon).round(),
-            Digits::Enough => up.hi * inverse.hi * epsilon,
+            Digits::More => {
+                let u = up.times(inverse).times_double(epsilon);
+                fast_two_sum(u.hi, u.lo)
+            }
+            Digits::Enough => DoubleDouble::from(up.hi * inverse.hi * epsilon),
         };
         let place = Place { sin_theta, cos_theta, half_tan, rest, inverse, up };
-        let step = place.step(u, digits);
-        Elevated { place, epsilon, right, theta, step }
+        let step = place.step(u.hi, epsilon, digits);
+        Elevated { place, epsilon, right, theta, u, step }
     }
 
     /// α in [0, π]
@@ -188,7 +190,28 @@ impl Elevated {
         // β₀ − 2t
         let z = t * t;
         let bend = t * z * polynomial(z, &HALF_ATAN_TAIL);
-        sum.hi + (sum.lo + sign * (self.step + bend))
+        sum.hi + (sum.lo + sign * (self.step.angle + bend))
+    }
+
+    /// sin α, u = ε sin α and `(u − u₀)/u₀`
+    #[inline(always)]
+    pub fn sine(&self) -> (DoubleDouble, DoubleDouble, Number) {
+        let Step { angle, cos_alpha, by_u, .. } = self.step;
+        let sin = self.place.up.times(self.place.inverse);
+        let change = angle * cos_alpha - 0.5 * (angle * angle) * sin.hi;
+        let u_change = self.u.lo + self.epsilon * change;
+        let u = fast_two_sum(self.u.hi, u_change);
+        (fast_two_sum(sin.hi, sin.lo + change), u, u_change * by_u)
+    }
+
+    /// `1 − G(u)`, given `(u − u₀)/u₀`: of second order, with `u h′ = −a` and `u² h″ = 2a − w/q`
+    #[inline(always)]
+    pub fn gain_rest(&self, along: Number) -> DoubleDouble {
+        let Step { q, gain_rest: h, .. } = self.step;
+        let inverse = 1.0 / q;
+        let a = h.hi - (1.0 - h.hi) * inverse;
+        let bend = a - (0.5 - h.hi) * inverse;
+        fast_two_sum(h.hi, h.lo - along * (a - along * bend))
     }
 
     /// sin α and |cos α|
@@ -198,9 +221,10 @@ impl Elevated {
         let Place { sin_theta, cos_theta, half_tan, rest, inverse, up } = self.place;
         let along = cos_theta.times(rest).sub_smaller(sin_theta.times_double(half_tan + half_tan));
         let (sin, cos) = (up.times(inverse), along.times(inverse));
-        let half_square = 0.5 * self.step * self.step;
-        let sin_change = self.step * cos.hi - half_square * sin.hi;
-        let cos_change = self.step * -sin.hi - half_square * cos.hi;
+        let step = self.step.angle;
+        let half_square = 0.5 * step * step;
+        let sin_change = step * cos.hi - half_square * sin.hi;
+        let cos_change = step * -sin.hi - half_square * cos.hi;
         (fast_two_sum(sin.hi, sin.lo + sin_change), fast_two_sum(cos.hi, cos.lo + cos_change))
     }
 
@@ -248,8 +272,8 @@ fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
     let x = sqrt(over / (over + v * under));
     let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
     let top = polynomial(x, &ROUGH_GAIN_TOP);
-    let slope = polynomial(x, &ROUGH_GAIN_SLOPE);
-    // gain and slope carry the same bottom, and g the one that the step divides by
+    // u G′(u) = 1 − G (2 + u)/(1 + u); both carry the same bottom, and g the one that the step divides by
+    let slope = bottom - top * (1.0 + x * x);
     let divisor = bottom * stretch + slope * (g * cos2);
     let g = g * divisor + (top - g * bottom) * stretch;
     (divisor - g) * (sin * cos) / (g * cos2 + divisor * sin2)

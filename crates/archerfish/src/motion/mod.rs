@@ -22,6 +22,8 @@ pub use curvature::{apex_curvature, locus_curvature};
 pub use derivatives::{
     locus_launch_angle_d1, locus_launch_angle_d2, locus_launch_angle_derivatives,
 };
+#[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
+pub(crate) use derivatives::{locus_launch_angle_d1_ordinary, locus_launch_angle_d2_ordinary};
 pub use locus::{locus_launch_angle, locus_radius};
 #[allow(unused_imports, reason = "for dispatch alone, which not every build has")]
 pub(crate) use locus::{locus_launch_angle_ordinary, locus_radius_ordinary};

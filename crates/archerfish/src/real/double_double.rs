@@ -157,21 +157,7 @@ impl DoubleDouble {
         fast_two_sum(difference.hi, difference.lo + self.lo)
     }
 
-    /// `self + b`, left as it falls: where much cancels, lo may be as large as hi.
-    #[inline(always)]
-    pub fn plus(self, b: Self) -> Self {
-        let sum = two_sum(self.hi, b.hi);
-        DoubleDouble { hi: sum.hi, lo: sum.lo + (self.lo + b.lo) }
-    }
-
-    /// `self - b`, as `plus`.
-    #[inline(always)]
-    pub fn minus(self, b: Self) -> Self {
-        let difference = two_difference(self.hi, b.hi);
-        DoubleDouble { hi: difference.hi, lo: difference.lo + (self.lo - b.lo) }
-    }
-
-    /// `plus` where self is zero or its exponent is at least that of b.
+    /// `self + b`, left as it falls, where self is zero or its exponent is at least that of b.
     #[inline(always)]
     pub fn add_smaller(self, b: Self) -> Self {
         let sum = fast_two_sum(self.hi, b.hi);
@@ -277,7 +263,12 @@ impl DoubleDouble {
     /// `self / b` where `b` is one double, as `div_by`.
     #[inline(always)]
     pub fn div_double(self, b: Number) -> Self {
-        let inverse = 1.0 / b;
+        self.div_double_by(b, 1.0 / b)
+    }
+
+    /// `self / b` where `b` is one double, given a double next to `1 / b`, as `div_by`.
+    #[inline(always)]
+    pub fn div_double_by(self, b: Number, inverse: Number) -> Self {
         let quotient = self.hi * inverse;
         let rest = rest_of_product(self.hi, quotient, b) + self.lo;
         DoubleDouble { hi: quotient, lo: rest * inverse }
