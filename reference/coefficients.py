@@ -187,7 +187,7 @@ FITS = {
     "residual_tail": Fit(residual_tail, -HALF_LN2, HALF_LN2, 10, abs),
     "atanh_tail": Fit(atanh_tail, 0, ATANH_END, 6, lambda z: z),
     "log_tail": Fit(log_tail, mp.mpf("-0.0298"), mp.mpf("0.03126"), 7, abs),
-    "weak_gain": Fit(weak_gain, 0, mp.mpf("0.042"), 6, lambda u: u),
+    "weak_gain": Fit(weak_gain, 0, mp.mpf("0.0626"), 7, lambda u: u),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),

@@ -23,20 +23,22 @@ use super::super::real::{Logarithm, Number, Order, greater, polynomial, select};
 use super::launch::{LARGE, LIFT, Part, SMALL, is_ordinary, within_domain};
 use super::locus::{Digits, Elevated, Place};
 
-// weak_gain: minimax on [0.0, 0.042], degree 6,
-// weighted error 5.21e-18: reference/coefficients.py weak_gain
-const WEAK_GAIN: [f64; 7] = [
-    0.166666666666657,
-    -0.09999999999410121,
-    0.06666666544798966,
-    -0.047618928094714685,
-    0.03570800018374586,
-    -0.027595144328949998,
-    0.019434222077740204,
+// weak_gain: minimax on [0.0, 0.0626], degree 7,
+// weighted error 1.75e-18: reference/coefficients.py weak_gain
+const WEAK_GAIN: [f64; 8] = [
+    0.16666666666666433,
+    -0.09999999999878359,
+    0.06666666644995395,
+    -0.047619028922528235,
+    0.035713391214962094,
+    -0.027752728437434034,
+    0.021811587365773176,
+    -0.01447882875088176,
 ];
 const THIRD: DoubleDouble = DoubleDouble::constant(0.3333333333333333, 1.850371707708594e-17);
-/// Below it, the series of w/u holds; from it on, enough of 1 − 2h is left.
-const NEAR: f64 = 1.0 / 24.0;
+/// Below it, the series of w/u holds; from it on, enough of 1 − 2h is left, for there the table's number
+/// is near 1/q.
+const NEAR: f64 = 1.0 / 16.0;
 
 /// 2²⁰: up to here l = u − ln(1 + u) keeps enough of the logarithm.
 const STRONG: f64 = f64::from_bits((1023 + 20) << 52);
@@ -101,7 +103,7 @@ impl Found {
         let a = m.sub_smaller(w).div_by(q, inverse);
 
         // the error of what a is multiplied with is felt three times
-        let slant = sin.hi * zeta.hi;
+        let slant = sin.hi * zeta.round();
         let slant = slant - slant * (sin_theta.hi * sin_theta.hi);
         let bend = a.times_double(slant);
         let bottom = fast_two_sum(sin_theta.hi, bend.hi);
