@@ -58,16 +58,20 @@ struct Found {
     gain: DoubleDouble,
     /// `|cos α|/|cos θ|`
     zeta: DoubleDouble,
+    /// `1/(1 + u)` and `1/sin α`, to 2⁻³⁴ of themselves, where drag is not strong
+    by_q: Number,
+    by_sin: Number,
 }
 
 impl Found {
     #[inline(always)]
     fn new(elevated: &Elevated) -> Self {
         let (sin, u, along) = elevated.sine();
-        let rest = elevated.gain_rest(along);
+        let (rest, by_q) = elevated.gain_rest(along);
+        let by_sin = elevated.by_sin(along);
         let gain = rest.complement();
         let zeta = sin.div(elevated.place.sin_theta).times(gain);
-        Found { sin, u, rest, gain, zeta }
+        Found { sin, u, rest, gain, zeta, by_q, by_sin }
     }
 
     /// dα/dθ for θ > 0
@@ -86,21 +90,27 @@ impl Found {
     #[inline(always)]
     fn second(&self, place: &Place, epsilon: Number, part: Part) -> Number {
         let Place { sin_theta, cos_theta, .. } = *place;
-        let Found { sin, u, rest, gain, zeta } = *self;
-        let q = u.add_positive(1.0);
-        let inverse = 1.0 / q.hi;
+        let Found { sin, u, rest, gain, zeta, by_q, by_sin } = *self;
+        // (what is left of the 1 is lost where u is above 2⁵³)
+        let q = fast_two_sum(1.0, u.hi);
+        let q = DoubleDouble { hi: q.hi, lo: q.lo + u.lo };
         let m = u.times(rest);
-        let m = match part {
+        let (m, by_q, by_sin) = match part {
             Part::Whole => {
                 // where the excess of u over its logarithm has forgotten the latter
+                let strong = u.hi.is_above(STRONG);
                 let logarithm = Logarithm::of(q).value();
-                let strong = logarithm.sub_double(1.0 - logarithm.hi / u.hi);
-                DoubleDouble::select(u.hi.is_above(STRONG), strong, m)
+                let far = logarithm.sub_double(1.0 - logarithm.hi / u.hi);
+                (
+                    DoubleDouble::select(strong, far, m),
+                    select(strong, 1.0 / q.hi, by_q),
+                    select(strong, 1.0 / sin.hi, by_sin),
+                )
             }
-            Part::Ordinary => m,
+            Part::Ordinary => (m, by_q, by_sin),
         };
         let w = gain.sub_smaller(rest);
-        let a = m.sub_smaller(w).div_by(q, inverse);
+        let a = m.sub_smaller(w).div_by(q, by_q);
 
         // the error of what a is multiplied with is felt three times
         let slant = sin.hi * zeta.round();
@@ -114,13 +124,13 @@ impl Found {
         let w_by_u = fast_two_difference(THIRD.hi, u.hi * polynomial(u.hi, &WEAK_GAIN));
         let w_by_u = DoubleDouble { hi: w_by_u.hi, lo: w_by_u.lo + THIRD.lo };
         let near = w_by_u.times_double(epsilon);
-        let far = w.div(sin);
+        let far = w.div_by(sin, by_sin);
         let w_by_sin = DoubleDouble::select(u.hi.is_below(NEAR), near, far);
 
         let flat = fast_two_difference(1.0, gain.hi * rest.hi).twice();
         let across = flat.add_positives(m.times_double(2.0 - first.round()));
         let sum = sin.times(across).add_positives(w_by_sin.times(first));
-        f.times(first).times(cos_theta).times(sum).quotient_by(q, inverse)
+        f.times(first).times(cos_theta).times(sum).quotient_by(q, by_q)
     }
 }
 

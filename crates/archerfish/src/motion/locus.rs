@@ -198,20 +198,29 @@ impl Elevated {
     pub fn sine(&self) -> (DoubleDouble, DoubleDouble, Number) {
         let Step { angle, cos_alpha, by_u, .. } = self.step;
         let sin = self.place.up.times(self.place.inverse);
-        let change = angle * cos_alpha - 0.5 * (angle * angle) * sin.hi;
+        let change = angle * (cos_alpha - (0.5 * angle) * sin.hi);
         let u_change = self.u.lo + self.epsilon * change;
         let u = fast_two_sum(self.u.hi, u_change);
         (fast_two_sum(sin.hi, sin.lo + change), u, u_change * by_u)
     }
 
-    /// `1 − G(u)`, given `(u − u₀)/u₀`: of second order, with `u h′ = −a` and `u² h″ = 2a − w/q`
+    /// `1 − G(u)`, given `(u − u₀)/u₀`: of second order, with `u h′ = −a` and `u² h″ = 2a − w/q`; and
+    /// `1/(1 + u)` of first order
     #[inline(always)]
-    pub fn gain_rest(&self, along: Number) -> DoubleDouble {
+    pub fn gain_rest(&self, along: Number) -> (DoubleDouble, Number) {
         let Step { q, gain_rest: h, .. } = self.step;
         let inverse = 1.0 / q;
         let a = h.hi - (1.0 - h.hi) * inverse;
         let bend = a - (0.5 - h.hi) * inverse;
-        fast_two_sum(h.hi, h.lo - along * (a - along * bend))
+        let rest = fast_two_sum(h.hi, h.lo - along * (a - along * bend));
+        (rest, inverse - inverse * (along * (1.0 - inverse)))
+    }
+
+    /// `1/sin α`, given `(u − u₀)/u₀`: of first order
+    #[inline(always)]
+    pub fn by_sin(&self, along: Number) -> Number {
+        let by_sin = self.epsilon * self.step.by_u;
+        by_sin - by_sin * along
     }
 
     /// sin α and |cos α|
