@@ -142,6 +142,17 @@ def test_slopes_at_the_launch_point():
         assert math.isclose(archerfish.locus_launch_angle_d2(0.0, eps), -8 * eps / 3, rel_tol=5e-16)
 
 
+def test_second_slope_under_overwhelming_drag():
+    """With G = 1, 1 - G = (ln u - 1)/u and α = θ: from θ' = P/Q up to the greatest double."""
+    for eps in (1e40, 1e200, 1e300, 1e305, 1.7e308):
+        for theta in (0.1, 0.5, 1.2, 1.5):
+            sin, cos = math.sin(theta), math.cos(theta)
+            logarithm = math.log(eps) + math.log(sin)
+            expected = -(cos / sin) * (sin * (1 + logarithm) + 1 / sin) / eps
+            computed = archerfish.locus_launch_angle_d2(theta, eps)
+            assert math.isclose(computed, expected, rel_tol=2e-15), (theta, eps)
+
+
 @pytest.mark.parametrize("eps", EPSILONS)
 def test_height_grows_by_the_abscissa(eps):
     """dy/dα = x."""

@@ -99,7 +99,7 @@ impl Found {
             Part::Whole => {
                 // where the excess of u over its logarithm has forgotten the latter
                 let strong = u.hi.is_above(STRONG);
-                let logarithm = Logarithm::of(q).value();
+                let logarithm = Logarithm::of(DoubleDouble::from(q.hi)).value();
                 let far = logarithm.sub_double(1.0 - logarithm.hi / u.hi);
                 (
                     DoubleDouble::select(strong, far, m),
