@@ -42,8 +42,8 @@ BETTER = 0.02
 HEADER = """\
 # The worst error of every public function, in ulp of the exact value, over at least {inputs} inputs
 # each, random and adversarial (reference/inputs.py); exact values from reference/oracle.py.
-# locus_launch_angle_d2 crosses zero: its ulp is that of the larger of the value and its greatest
-# term (reference/geometry.py); the flight functions likewise (reference/flight.py).
+# Where flight functions cross zero their ulp is that of the larger of the value and its greatest
+# term (reference/flight.py).
 #
 # Written by `python -m reference.accuracy --record`; a run without --record fails if a function is
 # worse or clearly better. `at` is where the worst error happens. Where `demanded_ulp` is not

@@ -58,17 +58,7 @@ def launch_angle_d1(locus: Locus) -> arb:
     return 1 / elevation_slope(locus)[0]
 
 
-def launch_angle_d2(locus: Locus) -> tuple[arb, arb]:
-    """d²α/dθ² = -θ″/θ′³, and its greatest term.
-
-    Written with θ′ = P/Q, Q = cos²α (1 + tan²θ), it is Q′Q/P² - P′Q²/P³: a difference of two terms,
-    and it crosses zero. Errors are counted in ulp of the larger of the value and the greater term.
-    """
+def launch_angle_d2(locus: Locus) -> arb:
+    """d²α/dθ² = -θ″/θ′³."""
     slope = elevation_slope(locus)
-    x, y = away_from_origin(locus)
-    c = arb_series([locus.alpha, 1], prec=TERMS).cos() / x
-    q = c * c * (x * x + y * y)
-    p = slope * q
-    (p0, p1), (q0, q1) = ((series[0], derivative(series)[0]) for series in (p, q))
-    first, second = q1 * q0 / p0**2, p1 * q0**2 / p0**3
-    return -derivative(slope)[0] / slope[0] ** 3, abs(first).max(abs(second))
+    return -derivative(slope)[0] / slope[0] ** 3

@@ -19,8 +19,6 @@ from reference import flow, geometry
 from reference.ball import OutsideDomainError, exponent, precision
 from reference.geometry import TERMS, Locus
 
-Value = arb | tuple[arb, arb]
-
 
 def inside(angle: float, eps: float) -> None:
     """Angles beyond [0, π], a negative ε or an infinite one: no value."""
@@ -157,7 +155,7 @@ def slow_locus(theta: float, eps: float, bits: int) -> Locus:
 
 Road = Callable[[float, float, int], Locus]
 
-BY_LAUNCH_ANGLE: dict[str, Callable[[Locus], Value]] = {
+BY_LAUNCH_ANGLE: dict[str, Callable[[Locus], arb]] = {
     "apex_x": lambda locus: locus.x[0],
     "apex_y": lambda locus: locus.y[0],
     "apex_time": lambda locus: locus.time[0],
@@ -165,7 +163,7 @@ BY_LAUNCH_ANGLE: dict[str, Callable[[Locus], Value]] = {
     "apex_elevation": geometry.elevation,
     "apex_curvature": geometry.curvature,
 }
-BY_ELEVATION: dict[str, Callable[[Locus], Value]] = {
+BY_ELEVATION: dict[str, Callable[[Locus], arb]] = {
     "locus_launch_angle": lambda locus: locus.alpha,
     "locus_launch_angle_d1": geometry.launch_angle_d1,
     "locus_launch_angle_d2": geometry.launch_angle_d2,
@@ -187,17 +185,17 @@ DEFINITIONS = {
     "locus_launch_angle_d1": "the derivative by theta of the launch angle whose apex, by "
     f"{FLIGHT}, has the polar angle theta",
     "locus_launch_angle_d2": "the second derivative by theta of the launch angle whose apex, by "
-    f"{FLIGHT}, has the polar angle theta; ulp of the larger of it and its greatest term",
+    f"{FLIGHT}, has the polar angle theta",
     "locus_radius": "the distance from the origin to that apex whose polar angle is theta, of "
     f"{FLIGHT}",
     "locus_curvature": f"the curvature of the locus of the apexes of {FLIGHT} at polar angle theta",
 }
 
 
-def along(road: Road, quantity: Callable[[Locus], Value]) -> Callable[[float, float], Value]:
+def along(road: Road, quantity: Callable[[Locus], arb]) -> Callable[[float, float], arb]:
     """The quantity as a function of the angle and ε at Arb's current precision."""
 
-    def value(angle: float, eps: float) -> Value:
+    def value(angle: float, eps: float) -> arb:
         bits = ctx.prec
         locus = road(angle, eps, bits)
         # The roads work with more bits than asked; read them with as many.

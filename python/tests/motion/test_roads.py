@@ -153,6 +153,15 @@ def test_second_slope_under_overwhelming_drag():
             assert math.isclose(computed, expected, rel_tol=2e-15), (theta, eps)
 
 
+def test_time_under_overwhelming_drag():
+    """ln(ε sin α)/ε, up to the greatest double, where 1 + u still has a low word."""
+    for eps in (1e40, 1e300, 1e305, 1.7e308):
+        for alpha in (0.1, 0.5, 1.2, 1.5):
+            expected = (math.log(eps) + math.log(math.sin(alpha))) / eps
+            computed = archerfish.apex_time(alpha, eps)
+            assert math.isclose(computed, expected, rel_tol=2e-15), (alpha, eps)
+
+
 @pytest.mark.parametrize("eps", EPSILONS)
 def test_height_grows_by_the_abscissa(eps):
     """dy/dα = x."""

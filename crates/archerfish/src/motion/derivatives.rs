@@ -15,8 +15,7 @@
 //! - `d²α/dθ² = −f (dα/dθ) cos θ S/q`,
 //! - `S = sin α [2 (1 − hG) + m (2 − dα/dθ)] + (w/sin α) dα/dθ`.
 //!
-//! `w/sin α` is ε times w/u, which for small u is taken from its series. a is a small part of what f is
-//! divided by, and so is computed to few digits more than a double has.
+//! `w/sin α` is ε times w/u, which for small u is taken from its series.
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
 use super::super::real::{Logarithm, Number, Order, greater, polynomial, select};
@@ -48,58 +47,41 @@ const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
 const TINIEST: f64 = f64::from_bits((1023 - 800) << 52);
 const WEAK: f64 = f64::from_bits((1023 - 330) << 52);
 
-/// The launch at the apex seen, and G there.
+/// The launch whose apex is seen, and how its angle changes, for θ > 0.
 struct Found {
     sin: DoubleDouble,
-    /// `u = ε sin α`
+    /// `u = ε sin α` and `q = 1 + u`
     u: DoubleDouble,
-    /// `h = 1 − G`
+    q: DoubleDouble,
+    /// `h = 1 − G`, G and 2G − 1
     rest: DoubleDouble,
     gain: DoubleDouble,
-    /// `|cos α|/|cos θ|`
-    zeta: DoubleDouble,
-    /// `1/(1 + u)` and `1/sin α`, to 2⁻³⁴ of themselves, where drag is not strong
+    w: DoubleDouble,
+    /// `m = u h`
+    m: DoubleDouble,
+    /// 1/q and 1/sin α, to 2⁻³⁴ of themselves
     by_q: Number,
     by_sin: Number,
+    f: DoubleDouble,
+    /// dα/dθ
+    first: DoubleDouble,
 }
 
 impl Found {
     #[inline(always)]
-    fn new(elevated: &Elevated) -> Self {
+    fn new(elevated: &Elevated, part: Part) -> Self {
+        let Place { sin_theta, .. } = elevated.place;
         let (sin, u, along) = elevated.sine();
-        let (rest, by_q) = elevated.gain_rest(along);
-        let by_sin = elevated.by_sin(along);
-        let gain = rest.complement();
-        let zeta = sin.div(elevated.place.sin_theta).times(gain);
-        Found { sin, u, rest, gain, zeta, by_q, by_sin }
-    }
-
-    /// dα/dθ for θ > 0
-    #[inline(always)]
-    fn first(&self, place: &Place) -> Number {
-        let Place { sin_theta, cos_theta, .. } = *place;
-        let (m, w) = (self.u.times(self.rest), self.gain.sub_smaller(self.rest));
-        let a = ((m.hi - w.hi) + (m.lo - w.lo)) * (1.0 / (1.0 + self.u.hi));
-        let slant = (self.sin.hi * self.zeta.hi) * (cos_theta.hi * cos_theta.hi);
-        let bottom = fast_two_sum(sin_theta.hi, a * slant);
-        let bottom = DoubleDouble { hi: bottom.hi, lo: bottom.lo + sin_theta.lo };
-        self.sin.div(bottom).times(self.zeta).round()
-    }
-
-    /// |d²α/dθ²| for θ > 0
-    #[inline(always)]
-    fn second(&self, place: &Place, epsilon: Number, part: Part) -> Number {
-        let Place { sin_theta, cos_theta, .. } = *place;
-        let Found { sin, u, rest, gain, zeta, by_q, by_sin } = *self;
         // (what is left of the 1 is lost where u is above 2⁵³)
         let q = fast_two_sum(1.0, u.hi);
         let q = DoubleDouble { hi: q.hi, lo: q.lo + u.lo };
-        let m = u.times(rest);
+        let (rest, by_q) = elevated.gain_rest(along);
+        let (m, by_sin) = (u.times(rest), elevated.by_sin(along));
         let (m, by_q, by_sin) = match part {
             Part::Whole => {
                 // where the excess of u over its logarithm has forgotten the latter
                 let strong = u.hi.is_above(STRONG);
-                let logarithm = Logarithm::of(DoubleDouble::from(q.hi)).value();
+                let logarithm = Logarithm::of(q).value();
                 let far = logarithm.sub_double(1.0 - logarithm.hi / u.hi);
                 (
                     DoubleDouble::select(strong, far, m),
@@ -109,28 +91,35 @@ impl Found {
             }
             Part::Ordinary => (m, by_q, by_sin),
         };
+        let gain = rest.complement();
         let w = gain.sub_smaller(rest);
         let a = m.sub_smaller(w).div_by(q, by_q);
+        let zeta = sin.div(sin_theta).times(gain);
 
-        // the error of what a is multiplied with is felt three times
+        // sin α cos α cos θ, whose error the second derivative feels three times
         let slant = sin.hi * zeta.round();
         let slant = slant - slant * (sin_theta.hi * sin_theta.hi);
         let bend = a.times_double(slant);
         let bottom = fast_two_sum(sin_theta.hi, bend.hi);
         let bottom = DoubleDouble { hi: bottom.hi, lo: bottom.lo + (sin_theta.lo + bend.lo) };
         let f = sin.div(bottom);
-        let first = f.times(zeta);
+        Found { sin, u, q, rest, gain, w, m, by_q, by_sin, f, first: f.times(zeta) }
+    }
 
+    /// |d²α/dθ²|
+    #[inline(always)]
+    fn second(&self, elevated: &Elevated) -> Number {
+        let Found { sin, u, q, rest, gain, w, m, by_q, by_sin, f, first } = *self;
         let w_by_u = fast_two_difference(THIRD.hi, u.hi * polynomial(u.hi, &WEAK_GAIN));
         let w_by_u = DoubleDouble { hi: w_by_u.hi, lo: w_by_u.lo + THIRD.lo };
-        let near = w_by_u.times_double(epsilon);
+        let near = w_by_u.times_double(elevated.epsilon);
         let far = w.div_by(sin, by_sin);
         let w_by_sin = DoubleDouble::select(u.hi.is_below(NEAR), near, far);
 
         let flat = fast_two_difference(1.0, gain.hi * rest.hi).twice();
         let across = flat.add_positives(m.times_double(2.0 - first.round()));
         let sum = sin.times(across).add_positives(w_by_sin.times(first));
-        f.times(first).times(cos_theta).times(sum).quotient_by(q, by_q)
+        f.times(first).times(elevated.place.cos_theta).times(sum).quotient_by(q, by_q)
     }
 }
 
@@ -147,9 +136,8 @@ fn derivatives(theta: Number, eps: Number) -> (Number, Number) {
     let epsilon = eps * scale(LARGE, 1.0 / LIFT);
     let back = scale(SMALL, LIFT);
     let elevated = Elevated::new(angle, epsilon, Digits::More);
-    let found = Found::new(&elevated);
-    let first = found.first(&elevated.place);
-    let second = found.second(&elevated.place, epsilon, Part::Whole);
+    let found = Found::new(&elevated, Part::Whole);
+    let (first, second) = (found.first.round(), found.second(&elevated));
     let sign = select(elevated.right, -1.0, 1.0);
     (within_domain(theta, eps, first), within_domain(theta, eps, sign * second * back))
 }
@@ -177,22 +165,21 @@ pub fn locus_launch_angle_d2(theta: Number, eps: Number) -> Number {
     locus_launch_angle_derivatives(theta, eps).1
 }
 
-/// `locus_launch_angle_d1`, as `locus_launch_angle_ordinary`.
+/// `locus_launch_angle_d1`, as `locus_launch_angle_ordinary`, and up to drag that is already strong.
 #[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn locus_launch_angle_d1_ordinary(theta: Number, eps: Number) -> Number {
     let elevated = Elevated::new(theta, eps, Digits::More);
-    let first = Found::new(&elevated).first(&elevated.place);
-    select(is_ordinary(theta, eps), first, f64::INFINITY)
+    let first = Found::new(&elevated, Part::Ordinary).first.round();
+    select(is_ordinary(theta, eps) & eps.is_at_most(STRONG), first, f64::INFINITY)
 }
 
-/// `locus_launch_angle_d2`, as `locus_launch_angle_ordinary`, and up to drag that is already strong.
+/// `locus_launch_angle_d2`, as `locus_launch_angle_d1_ordinary`.
 #[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn locus_launch_angle_d2_ordinary(theta: Number, eps: Number) -> Number {
     let elevated = Elevated::new(theta, eps, Digits::More);
-    let second = Found::new(&elevated).second(&elevated.place, eps, Part::Ordinary);
+    let second = Found::new(&elevated, Part::Ordinary).second(&elevated);
     let second = select(elevated.right, -1.0, 1.0) * second;
-    let ordinary = is_ordinary(theta, eps) & eps.is_at_most(STRONG);
-    select(ordinary, second, f64::INFINITY)
+    select(is_ordinary(theta, eps) & eps.is_at_most(STRONG), second, f64::INFINITY)
 }

@@ -53,9 +53,9 @@ impl Logarithm {
 
     /// `s`, of `w = 2ᵏ m + w.lo`.
     #[inline(always)]
-    pub fn ratio_of(w: DoubleDouble, k: Number, m: Number) -> DoubleDouble {
-        // beyond 2¹⁰⁰⁰ the power would not be normal; a rest there is nothing beside ln w
-        let low = w.lo * power_of_two(-lesser(1000.0, k));
+    fn ratio_of(w: DoubleDouble, k: Number, m: Number) -> DoubleDouble {
+        // beyond 2¹⁰²² the power would not be normal; a rest a few times too great is nothing beside ln w
+        let low = w.lo * power_of_two(-lesser(1022.0, k));
         let f = fast_two_sum(m - 1.0, low);
         let sum = fast_two_sum(2.0, f.hi);
         let denominator = DoubleDouble { hi: sum.hi, lo: sum.lo + f.lo };
