@@ -51,3 +51,20 @@ def test_targets_as_deep_as_numbers_go(name, time, w):
     x, y, eps = way * np.cos(alpha), way * np.sin(alpha) - fallen, np.full(40, w / time)
     exact = oracle.values(name, x, y, eps)
     assert compare.ulp_errors(getattr(archerfish, name)(x, y, eps), *exact).max() <= 2
+
+
+@pytest.mark.parametrize("name", ["aim_low", "aim_high"])
+@pytest.mark.parametrize("weakest", [1e-8, 1e-3, 1e3, 1e14, 1e16, 1e30, 1e285])
+def test_targets_whose_last_digits_decide_whether_they_are_on_the_envelope(name, weakest):
+    """They count as on it, which moves them by some of those digits; all others keep to 2 ulp."""
+    rng = np.random.default_rng(2026)
+    eps = weakest * 10 ** rng.uniform(0, 14, 300)
+    x = rng.uniform(-0.95, 0.95, 300) * np.minimum(3.0, 1 / eps)
+    top = archerfish.envelope_height(x, eps)
+    y = top + rng.integers(-16, 1, 300) * np.spacing(np.abs(top))
+    got, exact = getattr(archerfish, name)(x, y, eps), oracle.values(name, x, y, eps)
+    assert not np.isnan(got).any()
+    known = ~np.isnan(exact[0])
+    assert known.mean() > 0.98
+    errors = compare.ulp_errors(*(values[known] for values in (got, *exact)))
+    assert errors.max() <= 20
