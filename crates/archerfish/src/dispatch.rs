@@ -303,6 +303,19 @@ pub(crate) mod avx512 {
         exponent(a: __m512d) -> __m512d = _mm512_getexp_pd(a);
         look_up(low: __m512d, index: __m512i, high: __m512d) -> __m512d =
             _mm512_permutex2var_pd(low, index, high);
+        // two vectors' doubles side by side, and back
+        narrow(a: __m512d, b: __m512d) -> __m512 = {
+            let low = _mm512_castps256_ps512(_mm512_cvtpd_ps(a));
+            _mm512_insertf32x8::<1>(low, _mm512_cvtpd_ps(b))
+        };
+        widen_low(a: __m512) -> __m512d = _mm512_cvtps_pd(_mm512_castps512_ps256(a));
+        widen_high(a: __m512) -> __m512d = _mm512_cvtps_pd(_mm512_extractf32x8_ps::<1>(a));
+        spread_single(x: f32) -> __m512 = _mm512_set1_ps(x);
+        add_single(a: __m512, b: __m512) -> __m512 = _mm512_add_ps(a, b);
+        sub_single(a: __m512, b: __m512) -> __m512 = _mm512_sub_ps(a, b);
+        mul_single(a: __m512, b: __m512) -> __m512 = _mm512_mul_ps(a, b);
+        div_single(a: __m512, b: __m512) -> __m512 = _mm512_div_ps(a, b);
+        sqrt_single(a: __m512) -> __m512 = _mm512_sqrt_ps(a);
         spread_bits(bits: u64) -> __m512i = _mm512_set1_epi64(bits as i64);
         has(bits: __m512i, bit: __m512i) -> __mmask8 =
             _mm512_cmpeq_epi64_mask(_mm512_and_si512(bits, bit), bit);

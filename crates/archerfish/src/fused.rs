@@ -6,7 +6,7 @@
 // what no batch needs, as `tan`, and files of two modules, on purpose
 #![allow(dead_code, unused_imports, clippy::duplicate_mod)]
 
-pub(crate) use crate::{Integer, Mask, Number, constant};
+pub(crate) use crate::{Integer, Mask, Number, Single, constant};
 
 pub(crate) const FUSED: bool = true;
 

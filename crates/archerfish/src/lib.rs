@@ -40,6 +40,8 @@ mod wides;
 /// What the kernels compute with: a double. (They are compiled for several doubles at once as well:
 /// `pairs` in a browser, `twins` for AVX2, `wides` for AVX-512.)
 pub type Number = f64;
+/// The same in single precision.
+type Single = f32;
 /// What a comparison of numbers gives.
 type Mask = bool;
 /// The bits of a number.

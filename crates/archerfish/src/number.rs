@@ -65,6 +65,28 @@ impl Order for f64 {
     }
 }
 
+/// Numbers in single precision, for guesses: on vectors half the work, and divisions and roots a third.
+pub(crate) trait Narrow {
+    type Single;
+    /// Rounded to 24 bits.
+    fn narrow(self) -> Self::Single;
+    fn widen(single: Self::Single) -> Self;
+}
+
+impl Narrow for f64 {
+    type Single = f32;
+
+    #[inline(always)]
+    fn narrow(self) -> f32 {
+        self as f32
+    }
+
+    #[inline(always)]
+    fn widen(single: f32) -> f64 {
+        f64::from(single)
+    }
+}
+
 /// A table of as many numbers as two vectors of AVX-512 hold.
 pub(crate) type Table = [f64; 16];
 

@@ -3,12 +3,17 @@
 use core::arch::wasm32::*;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub};
 
-use crate::number::{Bits, LookUp, Order, Table};
+use crate::number::{Bits, LookUp, Narrow, Order, Table};
 
 /// Two doubles.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
 pub(crate) struct Pair(v128);
+
+/// The same in single precision, in the lower half of a vector.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(crate) struct PairSingle(v128);
 
 /// Of each double whether something holds: all its bits, or none.
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +111,34 @@ impl Order for Pair {
     }
 }
 
+impl Narrow for Pair {
+    type Single = PairSingle;
+
+    #[inline(always)]
+    fn narrow(self) -> PairSingle {
+        PairSingle(f32x4_demote_f64x2_zero(self.0))
+    }
+
+    #[inline(always)]
+    fn widen(single: PairSingle) -> Self {
+        Pair(f64x2_promote_low_f32x4(single.0))
+    }
+}
+
+impl From<f32> for PairSingle {
+    #[inline(always)]
+    fn from(x: f32) -> Self {
+        PairSingle(f32x4_splat(x))
+    }
+}
+
+impl PairSingle {
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        PairSingle(f32x4_sqrt(self.0))
+    }
+}
+
 impl LookUp for Pair {
     type Index = PairBits;
 
@@ -118,41 +151,45 @@ impl LookUp for Pair {
 
 /// An operation between pairs, and between a pair and one double.
 macro_rules! arithmetic {
-    ($($trait:ident::$method:ident = $instruction:ident;)+) => {$(
-        impl $trait for Pair {
+    ($($number:ident($of:ty): $trait:ident::$method:ident = $instruction:ident;)+) => {$(
+        impl $trait for $number {
             type Output = Self;
 
             #[inline(always)]
             fn $method(self, b: Self) -> Self {
-                Pair($instruction(self.0, b.0))
+                $number($instruction(self.0, b.0))
             }
         }
 
-        impl $trait<f64> for Pair {
+        impl $trait<$of> for $number {
             type Output = Self;
 
             #[inline(always)]
-            fn $method(self, b: f64) -> Self {
-                self.$method(Pair::from(b))
+            fn $method(self, b: $of) -> Self {
+                self.$method($number::from(b))
             }
         }
 
-        impl $trait<Pair> for f64 {
-            type Output = Pair;
+        impl $trait<$number> for $of {
+            type Output = $number;
 
             #[inline(always)]
-            fn $method(self, b: Pair) -> Pair {
-                Pair::from(self).$method(b)
+            fn $method(self, b: $number) -> $number {
+                $number::from(self).$method(b)
             }
         }
     )+};
 }
 
 arithmetic! {
-    Add::add = f64x2_add;
-    Sub::sub = f64x2_sub;
-    Mul::mul = f64x2_mul;
-    Div::div = f64x2_div;
+    Pair(f64): Add::add = f64x2_add;
+    Pair(f64): Sub::sub = f64x2_sub;
+    Pair(f64): Mul::mul = f64x2_mul;
+    Pair(f64): Div::div = f64x2_div;
+    PairSingle(f32): Add::add = f32x4_add;
+    PairSingle(f32): Sub::sub = f32x4_sub;
+    PairSingle(f32): Mul::mul = f32x4_mul;
+    PairSingle(f32): Div::div = f32x4_div;
 }
 
 impl Neg for Pair {

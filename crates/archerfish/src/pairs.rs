@@ -7,7 +7,9 @@
 // what no kernel needs, as `tan`, and files of two modules, on purpose
 #![allow(dead_code, unused_imports, clippy::duplicate_mod)]
 
-pub(crate) use crate::pair::{Pair as Number, PairBits as Integer, PairMask as Mask};
+pub(crate) use crate::pair::{
+    Pair as Number, PairBits as Integer, PairMask as Mask, PairSingle as Single,
+};
 
 /// A constant among the numbers.
 pub(crate) const fn constant(x: f64) -> Number {

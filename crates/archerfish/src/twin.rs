@@ -7,7 +7,7 @@ use core::ops::{
     Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub, SubAssign,
 };
 
-use crate::number::{Bits, LookUp, Order, Table};
+use crate::number::{Bits, LookUp, Narrow, Order, Table};
 
 /// Two of a kind.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,7 @@ alone! {
     f64 => sqrt -> f64;
     f64 => abs -> f64;
     f64 => is_nan -> bool;
+    f32 => sqrt -> f32;
 }
 
 impl Twin<f64> {
@@ -95,6 +96,22 @@ impl Order for Twin<f64> {
     }
 }
 
+impl Narrow for Twin<f64> {
+    type Single = Twin<f32>;
+
+    #[inline(always)]
+    fn narrow(self) -> Twin<f32> {
+        let Twin([a, b]) = self;
+        Twin([a.narrow(), b.narrow()])
+    }
+
+    #[inline(always)]
+    fn widen(single: Twin<f32>) -> Self {
+        let Twin([a, b]) = single;
+        Twin([f64::widen(a), f64::widen(b)])
+    }
+}
+
 impl LookUp for Twin<f64> {
     type Index = Twin<u64>;
 
@@ -137,12 +154,12 @@ macro_rules! with_one {
 
 /// An operation with the same on the left of both.
 macro_rules! of_one {
-    ($($trait:ident::$method:ident;)+) => {$(
-        impl $trait<Twin<f64>> for f64 {
-            type Output = Twin<f64>;
+    ($($of:ty: $trait:ident::$method:ident;)+) => {$(
+        impl $trait<Twin<$of>> for $of {
+            type Output = Twin<$of>;
 
             #[inline(always)]
-            fn $method(self, twin: Twin<f64>) -> Twin<f64> {
+            fn $method(self, twin: Twin<$of>) -> Twin<$of> {
                 let Twin([a, b]) = twin;
                 Twin([self.$method(a), self.$method(b)])
             }
@@ -155,6 +172,10 @@ between! {
     f64: Sub::sub;
     f64: Mul::mul;
     f64: Div::div;
+    f32: Add::add;
+    f32: Sub::sub;
+    f32: Mul::mul;
+    f32: Div::div;
     bool: BitAnd::bitand;
     bool: BitOr::bitor;
     bool: BitXor::bitxor;
@@ -166,6 +187,10 @@ with_one! {
     f64: Sub<f64>::sub;
     f64: Mul<f64>::mul;
     f64: Div<f64>::div;
+    f32: Add<f32>::add;
+    f32: Sub<f32>::sub;
+    f32: Mul<f32>::mul;
+    f32: Div<f32>::div;
     u64: BitAnd<u64>::bitand;
     u64: BitOr<u64>::bitor;
     u64: Shl<u32>::shl;
@@ -173,10 +198,14 @@ with_one! {
 }
 
 of_one! {
-    Add::add;
-    Sub::sub;
-    Mul::mul;
-    Div::div;
+    f64: Add::add;
+    f64: Sub::sub;
+    f64: Mul::mul;
+    f64: Div::div;
+    f32: Add::add;
+    f32: Sub::sub;
+    f32: Mul::mul;
+    f32: Div::div;
 }
 
 impl Bits for Twin<u64> {

@@ -10,6 +10,7 @@
 use crate::twin::Twin;
 
 pub(crate) type Number = Twin<f64>;
+pub(crate) type Single = Twin<f32>;
 pub(crate) type Mask = Twin<bool>;
 pub(crate) type Integer = Twin<u64>;
 

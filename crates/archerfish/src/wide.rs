@@ -3,13 +3,13 @@
 //!
 //! A kernel is a chain of results that wait for each other; four of them keep a processor busy.
 
-use core::arch::x86_64::{__m512d, __m512i, __mmask8};
+use core::arch::x86_64::{__m512, __m512d, __m512i, __mmask8};
 use core::ops::{
     Add, BitAnd, BitOr, BitXor, Div, Mul, MulAssign, Neg, Not, Shl, Shr, Sub, SubAssign,
 };
 
 use crate::dispatch::avx512;
-use crate::number::{Bits, LookUp, Order, Table};
+use crate::number::{Bits, LookUp, Narrow, Order, Table};
 
 /// Vectors in flight.
 const VECTORS: usize = 4;
@@ -45,6 +45,10 @@ macro_rules! each {
 /// Doubles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide([__m512d; VECTORS]);
+
+/// The same in single precision: two vectors' doubles in one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WideSingle([__m512; VECTORS / 2]);
 
 /// Of each double whether something holds.
 #[derive(Clone, Copy, Debug)]
@@ -152,6 +156,82 @@ impl Order for Wide {
     fn greater(a: Self, b: Self) -> Self {
         Wide(each!(I => avx512::greater(a.0[I], b.0[I])))
     }
+}
+
+impl Narrow for Wide {
+    type Single = WideSingle;
+
+    #[inline(always)]
+    fn narrow(self) -> WideSingle {
+        let Wide([a, b, c, d]) = self;
+        WideSingle([avx512::narrow(a, b), avx512::narrow(c, d)])
+    }
+
+    #[inline(always)]
+    fn widen(single: WideSingle) -> Self {
+        let WideSingle([a, b]) = single;
+        Wide([
+            avx512::widen_low(a),
+            avx512::widen_high(a),
+            avx512::widen_low(b),
+            avx512::widen_high(b),
+        ])
+    }
+}
+
+impl From<f32> for WideSingle {
+    #[inline(always)]
+    fn from(x: f32) -> Self {
+        WideSingle([avx512::spread_single(x); VECTORS / 2])
+    }
+}
+
+impl WideSingle {
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let WideSingle([a, b]) = self;
+        WideSingle([avx512::sqrt_single(a), avx512::sqrt_single(b)])
+    }
+}
+
+/// An operation between numbers in single precision, and between them and one.
+macro_rules! single_arithmetic {
+    ($($trait:ident::$method:ident = $instruction:ident;)+) => {$(
+        impl $trait for WideSingle {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let (WideSingle([a, b]), WideSingle([other_a, other_b])) = (self, other);
+                WideSingle([avx512::$instruction(a, other_a), avx512::$instruction(b, other_b)])
+            }
+        }
+
+        impl $trait<f32> for WideSingle {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, b: f32) -> Self {
+                self.$method(WideSingle::from(b))
+            }
+        }
+
+        impl $trait<WideSingle> for f32 {
+            type Output = WideSingle;
+
+            #[inline(always)]
+            fn $method(self, b: WideSingle) -> WideSingle {
+                WideSingle::from(self).$method(b)
+            }
+        }
+    )+};
+}
+
+single_arithmetic! {
+    Add::add = add_single;
+    Sub::sub = sub_single;
+    Mul::mul = mul_single;
+    Div::div = div_single;
 }
 
 impl LookUp for Wide {

@@ -6,7 +6,9 @@
 // what no batch needs, and files of two modules, on purpose
 #![allow(dead_code, unused_imports, clippy::duplicate_mod)]
 
-pub(crate) use crate::wide::{Wide as Number, WideBits as Integer, WideMask as Mask};
+pub(crate) use crate::wide::{
+    Wide as Number, WideBits as Integer, WideMask as Mask, WideSingle as Single,
+};
 
 pub(crate) const FUSED: bool = true;
 

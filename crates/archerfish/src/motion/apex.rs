@@ -5,7 +5,7 @@ use super::super::real::{
     Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
 };
 use super::drag::{self, Drag};
-use super::launch::{LARGE, LIFT, Launch, Part, SMALL, is_ordinary, is_within, within_domain};
+use super::launch::{LARGE, LIFT, Launch, Part, SMALL, if_ordinary, is_within, within_domain};
 
 /// Drag parameters below it, 2⁻⁶⁰, make no difference to a height.
 const WEAK: f64 = f64::from_bits((1023 - 60) << 52);
@@ -157,5 +157,5 @@ pub fn apex_elevation(alpha: Number, eps: Number) -> Number {
 #[inline(always)]
 pub(crate) fn apex_elevation_ordinary(alpha: Number, eps: Number) -> Number {
     let value = Launch::at(alpha, eps).elevation(alpha, Part::Ordinary);
-    select(is_ordinary(alpha, eps), value, f64::INFINITY)
+    if_ordinary(alpha, eps, f64::MAX, value)
 }

@@ -7,7 +7,7 @@
 use super::super::real::double_double::{DoubleDouble, fast_two_sum, rest_of_product, two_product};
 use super::super::real::{Number, Order, select, sqrt};
 use super::apex::apex;
-use super::launch::{LIFT, Launch, is_ordinary, within_domain};
+use super::launch::{LIFT, Launch, if_ordinary, within_domain};
 use super::locus::{Digits, Elevated};
 
 /// 2⁶⁰⁰
@@ -71,5 +71,5 @@ pub fn locus_curvature(theta: Number, eps: Number) -> Number {
 pub(crate) fn locus_curvature_ordinary(theta: Number, eps: Number) -> Number {
     let launch = Elevated::new(theta, eps, Digits::More).launch();
     let value = launch.curvature(launch.sin.squared(), launch.cos.squared());
-    select(is_ordinary(theta, eps), value, f64::INFINITY)
+    if_ordinary(theta, eps, f64::MAX, value)
 }

@@ -19,7 +19,7 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
 use super::super::real::{Logarithm, Number, Order, greater, polynomial, select};
-use super::launch::{LARGE, LIFT, Part, SMALL, is_ordinary, within_domain};
+use super::launch::{LARGE, LIFT, Part, SMALL, if_ordinary, within_domain};
 use super::locus::{Digits, Elevated, Place};
 
 // weak_gain: minimax on [0.0, 0.0626], degree 7,
@@ -171,7 +171,7 @@ pub fn locus_launch_angle_d2(theta: Number, eps: Number) -> Number {
 pub(crate) fn locus_launch_angle_d1_ordinary(theta: Number, eps: Number) -> Number {
     let elevated = Elevated::new(theta, eps, Digits::More);
     let first = Found::new(&elevated, Part::Ordinary).first.round();
-    select(is_ordinary(theta, eps) & eps.is_at_most(STRONG), first, f64::INFINITY)
+    if_ordinary(theta, eps, STRONG, first)
 }
 
 /// `locus_launch_angle_d2`, as `locus_launch_angle_d1_ordinary`.
@@ -181,5 +181,5 @@ pub(crate) fn locus_launch_angle_d2_ordinary(theta: Number, eps: Number) -> Numb
     let elevated = Elevated::new(theta, eps, Digits::More);
     let second = Found::new(&elevated, Part::Ordinary).second(&elevated);
     let second = select(elevated.right, -1.0, 1.0) * second;
-    select(is_ordinary(theta, eps) & eps.is_at_most(STRONG), second, f64::INFINITY)
+    if_ordinary(theta, eps, STRONG, second)
 }

@@ -97,14 +97,17 @@ pub(crate) fn within_domain(angle: Number, epsilon: Number, value: Number) -> Nu
     select(in_domain(angle, epsilon), value, f64::NAN)
 }
 
-/// Whether nothing on the way is subnormal, and the angle and the drag parameter are in the domain.
+/// `value` where nothing on the way is subnormal, the angle is in the domain and the drag parameter in it
+/// and at most `most`; else ∞. (One selection after the other: what a mask says of four vectors at once the
+/// compiler would gather in an integer.)
 #[inline(always)]
-pub(crate) fn is_ordinary(angle: Number, epsilon: Number) -> Mask {
+pub(crate) fn if_ordinary(angle: Number, epsilon: Number, most: f64, value: Number) -> Number {
     /// 2⁻³⁰⁰
     const ORDINARY: f64 = f64::from_bits((1023 - 300) << 52);
-    lesser(angle, core::f64::consts::PI - angle).is_at_least(ORDINARY)
-        & epsilon.is_at_least(0.0)
-        & epsilon.is_at_most(f64::MAX)
+    let least = lesser(angle, core::f64::consts::PI - angle);
+    let value = select(least.is_at_least(ORDINARY), value, f64::INFINITY);
+    let value = select(epsilon.is_at_least(0.0), value, f64::INFINITY);
+    select(epsilon.is_at_most(most), value, f64::INFINITY)
 }
 
 /// Below this, 2⁻⁵⁰⁰, a square is subnormal; times `LARGE`, 2⁴⁰⁰, it is not, and still tiny.

@@ -14,21 +14,24 @@
 use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
 };
-use super::super::real::{Mask, Number, lesser, polynomial, select, sin_cos_mirrored, sqrt};
+use super::super::real::{
+    Mask, Narrow, Number, Single, greater, lesser, polynomial, select, sin_cos_mirrored,
+    sqrt_single,
+};
 use super::drag::{self, Drag};
-use super::launch::{Launch, Scaled, is_ordinary, q_without_one_rest, within_domain};
+use super::launch::{Launch, Scaled, if_ordinary, q_without_one_rest, within_domain};
 
 // rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
-const ROUGH_GAIN_TOP: [f64; 5] = [1.000003117, 44.77477818, 251.6053412, 167.0320133, -18.25660729];
-const ROUGH_GAIN_BOTTOM: [f64; 5] = [1.0, 44.78366677, 260.8441074, 362.0037094, 223.6851393];
+const ROUGH_GAIN_TOP: [f32; 5] = [1.0000031, 44.774776, 251.60535, 167.03201, -18.256607];
+const ROUGH_GAIN_BOTTOM: [f32; 5] = [1.0, 44.78367, 260.84412, 362.00372, 223.68513];
 // rougher_gain: 0.79 of the error that can be borne: reference/coefficients.py rougher_gain
-const ROUGHER_GAIN_TOP: [f64; 3] = [0.9984534505, 23.32839793, 10.33700643];
-const ROUGHER_GAIN_BOTTOM: [f64; 3] = [1.0, 27.46378559, 40.64950412];
+const ROUGHER_GAIN_TOP: [f32; 3] = [0.99845344, 23.328398, 10.337007];
+const ROUGHER_GAIN_BOTTOM: [f32; 3] = [1.0, 27.463785, 40.649506];
 // stretch_root: 0.61 of the error that can be borne: reference/coefficients.py stretch_root
-const STRETCH_ROOT_TOP: [f64; 3] = [0.1372878259, 2.870998001, 2.828428691];
-const STRETCH_ROOT_BOTTOM: [f64; 3] = [1.0, 4.060205059, 0.7766179411];
+const STRETCH_ROOT_TOP: [f32; 3] = [0.13728783, 2.870998, 2.8284287];
+const STRETCH_ROOT_BOTTOM: [f32; 3] = [1.0, 4.060205, 0.77661794];
 // rough_root: least greatest error, error 0.002: reference/coefficients.py rough_root
-const ROUGH_ROOT: [f64; 3] = [0.4643173479, 0.01417694834, 0.3340496884];
+const ROUGH_ROOT: [f32; 3] = [0.46431735, 0.014176948, 0.3340497];
 
 /// How well the launch is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -255,16 +258,18 @@ impl Elevated {
 
 /// `c₀ x² + c₁ x y + c₂ y²`
 #[inline(always)]
-fn quadratic_form(c: &[f64; 3], x: Number, y: Number) -> Number {
+fn quadratic_form(c: &[f32; 3], x: Single, y: Single) -> Single {
     (c[0] * x + c[1] * y) * x + c[2] * (y * y)
 }
 
-/// τ to 2⁻¹⁷ of sin α or better.
+/// τ to 2⁻¹⁷ of sin α or better, from numbers in single precision.
 #[inline(always)]
 fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
-    let (sin2, cos2) = (sin * sin, cos * cos);
-    // where G differs from 1 by less than anything, no power of v overflows
-    let v = lesser(1e60, epsilon * sin);
+    // where G differs from 1 by less than anything, no power of v overflows; nor is one subnormal
+    let v = greater(1e-30, lesser(1e9, epsilon * sin)).narrow();
+    let cos2 = cos.narrow();
+    let cos2 = cos2 * cos2;
+    let sin2 = 1.0 - cos2;
 
     // u = v/√stretch is nearly `v scale/root`
     let scale = 1.0 + ROUGH_ROOT[2] * v;
@@ -278,14 +283,14 @@ fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
     let square = stretch * stretch;
     let over = (STRETCH_ROOT_TOP[0] + STRETCH_ROOT_TOP[1] * stretch) + STRETCH_ROOT_TOP[2] * square;
     let under = (1.0 + STRETCH_ROOT_BOTTOM[1] * stretch) + STRETCH_ROOT_BOTTOM[2] * square;
-    let x = sqrt(over / (over + v * under));
+    let x = sqrt_single(over / (over + v * under));
     let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
     let top = polynomial(x, &ROUGH_GAIN_TOP);
     // u G′(u) = 1 − G (2 + u)/(1 + u); both carry the same bottom, and g the one that the step divides by
     let slope = bottom - top * (1.0 + x * x);
     let divisor = bottom * stretch + slope * (g * cos2);
     let g = g * divisor + (top - g * bottom) * stretch;
-    (divisor - g) * (sin * cos) / (g * cos2 + divisor * sin2)
+    Number::widen((divisor - g) / (g * cos2 + divisor * sin2)) * (sin * cos)
 }
 
 /// Launch angle α in [0, π] of the shot whose apex is seen at elevation θ: the inverse of [Eq. 10].
@@ -312,7 +317,7 @@ pub fn locus_radius(theta: Number, eps: Number) -> Number {
 #[inline(always)]
 pub(crate) fn locus_launch_angle_ordinary(theta: Number, eps: Number) -> Number {
     let value = Elevated::new(theta, eps, Digits::Enough).launch_angle();
-    select(is_ordinary(theta, eps), value, f64::INFINITY)
+    if_ordinary(theta, eps, f64::MAX, value)
 }
 
 /// `locus_radius`, as `locus_launch_angle_ordinary`.
@@ -320,5 +325,5 @@ pub(crate) fn locus_launch_angle_ordinary(theta: Number, eps: Number) -> Number 
 #[inline(always)]
 pub(crate) fn locus_radius_ordinary(theta: Number, eps: Number) -> Number {
     let value = Elevated::new(theta, eps, Digits::More).radius();
-    select(is_ordinary(theta, eps), value, f64::INFINITY)
+    if_ordinary(theta, eps, f64::MAX, value)
 }

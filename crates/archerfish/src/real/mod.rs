@@ -16,14 +16,15 @@ mod polynomial;
 mod sqrt;
 mod trigonometric;
 
-pub(crate) use super::{Integer, Mask, Number, constant};
-pub(crate) use crate::number::{Bits, LookUp, Order, Table};
+pub(crate) use super::{Integer, Mask, Number, Single, constant};
+pub(crate) use crate::number::{Bits, LookUp, Narrow, Order, Table};
 
 pub use atan::{atan, atan2};
 pub use exp::{exp, exp_m1};
 pub use log::{ln, ln_1p};
 pub use log1pmx::log1pmx;
 pub use sqrt::sqrt;
+pub(crate) use sqrt::sqrt_single;
 pub use trigonometric::{cos, sin, sin_cos, tan};
 
 pub(crate) use atan::{angle, angle_all_round, atan_bend};

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "std")]
 use super::Number;
+use super::Single;
 
 /// `√x`.
 #[cfg(feature = "std")]
@@ -15,6 +16,20 @@ pub fn sqrt(x: Number) -> Number {
 #[inline(always)]
 pub fn sqrt(x: f64) -> f64 {
     sqrt_by_bits(x)
+}
+
+/// `√x` in single precision.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(crate) fn sqrt_single(x: Single) -> Single {
+    x.sqrt()
+}
+
+/// `√x` in single precision: more than twice its digits, rounded, are the root rounded.
+#[cfg(not(feature = "std"))]
+#[inline(always)]
+pub(crate) fn sqrt_single(x: Single) -> Single {
+    sqrt_by_bits(f64::from(x)) as f32
 }
 
 /// Correctly rounded `√x` from integer operations alone.
