@@ -59,7 +59,9 @@ impl Launch {
         let lifted = self.sin.scale(lift).times(loss);
         let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * back));
         let divisor = DoubleDouble { hi: divisor.hi, lo: divisor.lo + square.lo };
-        let tau = lifted.times(self.cos).div(divisor).scale(back);
+        let inverse = 1.0 / divisor.hi;
+        // here, while the division is under way (bench/NOTES.md, "Order")
+        let tau = lifted.times(self.cos).div_by(divisor, inverse).scale(back);
         let sum = fast_two_difference(alpha, tau.hi);
         sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
     }
