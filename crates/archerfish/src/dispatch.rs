@@ -296,6 +296,7 @@ pub(crate) mod avx512 {
         is_at_most(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b);
         is_at_least(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_GE_OQ>(a, b);
         equals(a: __m512d, b: __m512d) -> __mmask8 = _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a, b);
+        is_at_most_unsigned(a: __m512i, b: __m512i) -> __mmask8 = _mm512_cmple_epu64_mask(a, b);
         select(condition: __mmask8, a: __m512d, b: __m512d) -> __m512d =
             _mm512_mask_blend_pd(condition, b, a);
         lesser(a: __m512d, b: __m512d) -> __m512d = _mm512_min_pd(a, b);

@@ -3,15 +3,25 @@
 //! The kernels are written over `Number`, which is f64; they are compiled once more with several doubles
 //! side by side in its place: in a browser (`pair.rs`), for AVX2 (`twin.rs`), for AVX-512 (`wide.rs`).
 
+use core::ops::BitAnd;
+
 /// Comparisons.
 pub(crate) trait Order: Copy {
     /// What a comparison gives: `bool`, or one for each double.
-    type Mask;
+    type Mask: BitAnd<Output = Self::Mask>;
     fn is_below(self, bound: impl Into<Self>) -> Self::Mask;
     fn is_above(self, bound: impl Into<Self>) -> Self::Mask;
     fn is_at_most(self, bound: impl Into<Self>) -> Self::Mask;
     fn is_at_least(self, bound: impl Into<Self>) -> Self::Mask;
     fn equals(self, other: impl Into<Self>) -> Self::Mask;
+    /// Whether it is from one bound, which is not below 0, to the other. (−0 may count as below 0.)
+    #[inline(always)]
+    fn is_within(self, low: f64, high: f64) -> Self::Mask
+    where
+        Self: From<f64>,
+    {
+        self.is_at_least(low) & self.is_at_most(high)
+    }
     /// `a` where the condition holds, else `b`.
     fn select(condition: Self::Mask, a: Self, b: Self) -> Self;
     /// The exponent of a positive normal number, where an instruction gives it.

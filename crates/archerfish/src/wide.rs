@@ -137,6 +137,15 @@ impl Order for Wide {
 
     compare! { is_below; is_above; is_at_most; is_at_least; equals; }
 
+    /// By the bits, as unsigned integers.
+    #[inline(always)]
+    fn is_within(self, low: f64, high: f64) -> WideMask {
+        let bits = self.to_bits();
+        let above = if low > 0.0 { bits.wrapping_sub(low.to_bits()) } else { bits };
+        let span = WideBits::from(high.to_bits() - low.to_bits());
+        WideMask(each!(I => avx512::is_at_most_unsigned(above.0[I], span.0[I])))
+    }
+
     #[inline(always)]
     fn select(condition: WideMask, a: Self, b: Self) -> Self {
         Wide(each!(I => avx512::select(condition.0[I], a.0[I], b.0[I])))

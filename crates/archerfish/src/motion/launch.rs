@@ -102,12 +102,11 @@ pub(crate) fn within_domain(angle: Number, epsilon: Number, value: Number) -> Nu
 /// compiler would gather in an integer.)
 #[inline(always)]
 pub(crate) fn if_ordinary(angle: Number, epsilon: Number, most: f64, value: Number) -> Number {
-    /// 2⁻³⁰⁰
-    const ORDINARY: f64 = f64::from_bits((1023 - 300) << 52);
-    let least = lesser(angle, core::f64::consts::PI - angle);
-    let value = select(least.is_at_least(ORDINARY), value, f64::INFINITY);
-    let value = select(epsilon.is_at_least(0.0), value, f64::INFINITY);
-    select(epsilon.is_at_most(most), value, f64::INFINITY)
+    /// 2⁻³⁰⁰, and the last double before the one next to π
+    const FIRST: f64 = f64::from_bits((1023 - 300) << 52);
+    const LAST: f64 = f64::from_bits(core::f64::consts::PI.to_bits() - 1);
+    let value = select(angle.is_within(FIRST, LAST), value, f64::INFINITY);
+    select(epsilon.is_within(0.0, most), value, f64::INFINITY)
 }
 
 /// Below this, 2⁻⁵⁰⁰, a square is subnormal; times `LARGE`, 2⁴⁰⁰, it is not, and still tiny.
