@@ -200,7 +200,7 @@ FITS = {
     "lower_tail": Fit(branch_tail(-1), mp.mpf("-0.501"), 0, 15, lambda p: p * p),
     "half_tan": Fit(half_tan, 0, mp.mpf("0.126"), 3, one),
     "half_atan_tail": Fit(twice_atan_tail, 0, mp.mpf("0.0298"), 6, lambda z: z),
-    "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 8, lambda z: z),
+    "small_atan_tail": Fit(atan_tail, 0, mp.mpf("0.1251"), 9, lambda z: z),
     "atan_tail": Fit(atan_tail, 0, TAN_EIGHTH_PI, 11, lambda z: z),
 }
 

@@ -2,7 +2,8 @@
 
 use super::super::real::double_double::{DoubleDouble, fast_two_difference, fast_two_sum};
 use super::super::real::{
-    Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_upper,
+    Logarithm, Number, Order, Sign, atan_bend, greater, log_excess, select, sin_and_factors,
+    sin_upper,
 };
 use super::drag::{self, Drag};
 use super::launch::{LARGE, LIFT, Launch, Part, SMALL, if_ordinary, is_within, within_domain};
@@ -45,26 +46,35 @@ impl Launch {
         let stretch = self.cos.squared().add_positives(rise.squared());
         self.lifted().times(stretch.sqrt()).quotient(self.q()) * (1.0 / LIFT)
     }
+}
 
-    /// `θ = α − arctan τ`, `τ = (1 − G) sin α cos α / (1 − (1 − G) sin²α)`: equation (10), and τ² is at
-    /// most 1/8
-    #[inline(always)]
-    fn elevation(&self, alpha: Number, part: Part) -> Number {
-        let (lift, back) = match part {
-            Part::Whole => (LARGE, SMALL),
-            Part::Ordinary => (1.0, 1.0),
-        };
-        let (loss, square) = Drag::at(self.u.hi, drag::STRONG).loss_and_square();
-        // further lifted, for the loss may be as small as 2⁻¹²¹
-        let lifted = self.sin.scale(lift).times(loss);
-        let divisor = fast_two_difference(square.hi, lifted.hi * (self.sin.hi * back));
-        let divisor = DoubleDouble { hi: divisor.hi, lo: divisor.lo + square.lo };
-        let inverse = 1.0 / divisor.hi;
-        // here, while the division is under way (bench/NOTES.md, "Order")
-        let tau = lifted.times(self.cos).div_by(divisor, inverse).scale(back);
-        let sum = fast_two_difference(alpha, tau.hi);
-        sum.hi + (sum.lo - (tau.lo + atan_bend(tau.hi)))
-    }
+/// `θ = α − arctan τ`, `τ = n sin α cos α/(u² − n sin²α)`, `n = u² (1 − G)`: equation (10), and τ² is at
+/// most 1/8
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn elevation(alpha: Number, epsilon: Number, part: Part) -> Number {
+    let (lift, back) = match part {
+        Part::Whole => (LARGE, SMALL),
+        Part::Ordinary => (1.0, 1.0),
+    };
+    let (sin, across, along) = sin_and_factors(alpha);
+    let drag = match part {
+        Part::Whole => Drag::at(epsilon * sin, drag::STRONG),
+        Part::Ordinary => Drag::up_to_most(epsilon * sin),
+    };
+    // (what is left of the 1 is lost where u is above 2⁵³; by then the angle is α, nearly)
+    let q = 1.0 + drag.u;
+    let q = DoubleDouble { hi: q, lo: drag.u - (q - 1.0) };
+    let (share, square) = drag.gain_and_square(q);
+    let loss = square.sub_smaller(share);
+    let divisor = fast_two_difference(square.hi, loss.round() * (sin * sin));
+    let divisor = DoubleDouble { hi: divisor.hi, lo: divisor.lo + square.lo };
+    let inverse = 1.0 / divisor.hi;
+    // here, while the division is under way (bench/NOTES.md, "Order")
+    let slant = across.scale(lift).times(along);
+    let tau = loss.times(slant).div_by(divisor, inverse).scale(back);
+    let sum = fast_two_difference(alpha, tau.hi);
+    sum.hi + (sum.lo - (tau.lo + atan_bend(tau.round())))
 }
 
 /// `y = sin²α φ(u)`, as `(u − ln(1 + u))/ε²`, given sin α.
@@ -100,7 +110,7 @@ pub fn apex(alpha: Number, eps: Number) -> (Number, Number, Number, Number) {
         // (which is NaN without a word where ε is infinite or NaN)
         select(is_within(alpha, eps), launch.x(), f64::NAN),
         within_domain(alpha, eps, height(sin_upper(alpha), eps, Part::Whole)),
-        within_domain(alpha, eps, launch.elevation(alpha, Part::Whole)),
+        within_domain(alpha, eps, elevation(alpha, eps, Part::Whole)),
         within_domain(alpha, eps, launch.curvature(sin2, sin2.complement())),
     )
 }
@@ -158,6 +168,6 @@ pub fn apex_elevation(alpha: Number, eps: Number) -> Number {
 #[allow(dead_code, reason = "for dispatch alone, which not every build has")]
 #[inline(always)]
 pub(crate) fn apex_elevation_ordinary(alpha: Number, eps: Number) -> Number {
-    let value = Launch::at(alpha, eps).elevation(alpha, Part::Ordinary);
-    if_ordinary(alpha, eps, f64::MAX, value)
+    let value = elevation(alpha, eps, Part::Ordinary);
+    if_ordinary(alpha, eps, drag::STRONG, value)
 }

@@ -6,11 +6,11 @@
 //! - `a = u G′(u) = 1 − G (1 + q)/q`, never negative;
 //! - `e = u a′(u)`, and `q (a + e) = 2G − 1`.
 //!
-//! Method: from the excess `l = u − ln(1 + u)` (`real/log1pmx.rs`): `φ = l/u²`, `1 − G = n/u²` with
-//! `n = u ln(1 + u) − l`, or `m/u` with `m = ln(1 + u) − l/u`.
+//! Method: from the excess `l = u − ln(1 + u)` (`real/log1pmx.rs`): `φ = l/u²` and `G = q l/u²`; or, small
+//! where G is near 1, `1 − G = m/u` with `m = ln(1 + u) − l/u`.
 
 use super::super::real::double_double::{
-    DoubleDouble, fast_two_difference, fast_two_sum, two_product, two_square,
+    DoubleDouble, fast_two_difference, fast_two_sum, two_square,
 };
 use super::super::real::{Number, Sign, greater, lesser, log_excess};
 
@@ -25,10 +25,8 @@ pub(super) const STRONGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 pub(super) struct Drag {
     /// u, between the bounds that change nothing
     pub u: Number,
-    /// `l = u − ln(1 + u)`
+    /// `l = u − ln(1 + u)`; the words overlap
     excess: DoubleDouble,
-    /// `ln(1 + u)`
-    logarithm: DoubleDouble,
 }
 
 impl Drag {
@@ -36,30 +34,30 @@ impl Drag {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn at(u: Number, most: f64) -> Self {
-        // G is 1/2 + u/6 below, to 2⁻⁶²
-        let u = greater(LEAST, lesser(most, u));
-        let (excess, _) = log_excess(u, Sign::Positive);
-        let excess = fast_two_sum(excess.hi, excess.lo);
-        let logarithm = fast_two_difference(u, excess.hi);
-        let logarithm = DoubleDouble { hi: logarithm.hi, lo: logarithm.lo - excess.lo };
-        Drag { u, excess, logarithm }
+        Drag::up_to_most(lesser(most, u))
     }
 
-    /// `n = u² (1 − G)` and `u²`
+    /// Of u from 0 to the greater of the two.
     #[inline(always)]
-    pub fn loss_and_square(&self) -> (DoubleDouble, DoubleDouble) {
-        let Drag { u, excess, logarithm } = *self;
-        let product = two_product(u, logarithm.hi);
-        let product_rest = product.lo + u * logarithm.lo;
-        let loss = fast_two_difference(product.hi, excess.hi);
-        let loss = DoubleDouble { hi: loss.hi, lo: loss.lo + (product_rest - excess.lo) };
-        (loss, two_square(u))
+    pub fn up_to_most(u: Number) -> Self {
+        // G is 1/2 + u/6 below, to 2⁻⁶²
+        let u = greater(LEAST, u);
+        Drag { u, excess: log_excess(u, Sign::Positive).0 }
+    }
+
+    /// `G(u) = q l/u²`, given q = 1 + u: q l, whose words overlap, and u²
+    #[inline(always)]
+    pub fn gain_and_square(&self, q: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+        (q.times(self.excess), two_square(self.u))
     }
 
     /// `1 − G(u)`, from 1/2 to 0, given a double next to `1/u`.
     #[inline(always)]
     pub fn gain_rest(&self, inverse: Number) -> DoubleDouble {
-        let share = self.excess.div_double_by(self.u, inverse);
-        self.logarithm.sub_smaller(share).div_double_by(self.u, inverse)
+        let excess = fast_two_sum(self.excess.hi, self.excess.lo);
+        let logarithm = fast_two_difference(self.u, excess.hi);
+        let logarithm = DoubleDouble { hi: logarithm.hi, lo: logarithm.lo - excess.lo };
+        let share = excess.div_double_by(self.u, inverse);
+        logarithm.sub_smaller(share).div_double_by(self.u, inverse)
     }
 }

@@ -1,6 +1,8 @@
 //! One launch: the direction, and the drag it meets.
 
-use super::super::real::double_double::{DoubleDouble, rest_of_product};
+use super::super::real::double_double::{
+    DoubleDouble, fast_two_sum, rest_of_product, two_sum_positive,
+};
 use super::super::real::{Mask, Number, Order, lesser, select, sin_cos_upper};
 use super::drag::{self, Drag};
 
@@ -62,8 +64,9 @@ impl Launch {
     /// `G(u)`
     #[inline(always)]
     pub fn gain(&self) -> DoubleDouble {
-        let (loss, square) = Drag::at(self.u.hi, drag::STRONG).loss_and_square();
-        square.sub_smaller(loss).div(square)
+        let drag = Drag::at(self.u.hi, drag::STRONG);
+        let (share, square) = drag.gain_and_square(two_sum_positive(drag.u, 1.0));
+        fast_two_sum(share.hi, share.lo).div(square)
     }
 }
 

@@ -121,6 +121,26 @@ pub(crate) fn sin_cos_mirrored(x: Number) -> (DoubleDouble, DoubleDouble, Mask) 
     (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(steep, sin, cos), right)
 }
 
+/// `sin x` for x in [0, π], and two numbers whose product is `sin x cos x`, each to 2⁻⁵⁴ of itself: the sine
+/// and the cosine of the distance from the nearest quarter of a turn, whichever is which.
+#[inline(always)]
+pub(crate) fn sin_and_factors(x: Number) -> (Number, DoubleDouble, DoubleDouble) {
+    use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+    const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
+    let shifted = x * FRAC_2_PI + MAGIC;
+    let k = shifted - MAGIC;
+    let r = DoubleDouble { hi: x - k * FRAC_PI_2, lo: k * -FRAC_PI_2_LO };
+    let (across, along) = sin_cos_reduced(r, Digits::Enough);
+    let sin = select(k.equals(1.0), along.hi, across.hi.abs());
+    // next to the upright the product has the other sign
+    let turned = shifted.to_bits() << 63;
+    let along = DoubleDouble {
+        hi: Number::from_bits(along.hi.to_bits() ^ turned),
+        lo: Number::from_bits(along.lo.to_bits() ^ turned),
+    };
+    (sin, across, along)
+}
+
 /// `sin x` and `cos x` for x in [0, π], each to 2⁻⁵⁴ of itself.
 #[inline(always)]
 pub(crate) fn sin_cos_upper(x: Number) -> (DoubleDouble, DoubleDouble) {
