@@ -101,6 +101,11 @@ def sin_tail(z):
     )(z)
 
 
+def sinc(z):
+    """sin(√z)/√z."""
+    return 1 + z * sin_tail(z)
+
+
 def long_sin_tail(z):
     """(sin(√z)/√z − 1 + c z) / z², c being the double nearest 1/6."""
     rest = mp.mpf(1 / 6) - mp.mpf(1) / 6
@@ -190,6 +195,7 @@ FITS = {
     "weak_gain": Fit(weak_gain, 0, mp.mpf("0.0626"), 7, lambda u: u),
     "sin_tail": Fit(sin_tail, 0, QUARTER_PI, 5, lambda z: z),
     "long_sin_tail": Fit(long_sin_tail, mp.mpf("0.1"), HALF_PI, 6, lambda z: z * z),
+    "rough_sinc": Fit(sinc, 0, mp.mpf("2.4675"), 3, one),
     "cos_tail": Fit(cos_tail, 0, QUARTER_PI, 5, lambda z: z * z),
     "rough_log": Fit(rough_log, mp.mpf("-0.2930"), mp.mpf("0.4143"), 4, one),
     "aim_exp_tail": Fit(aim_exp_tail, -HALF_LN2, HALF_LN2, 5, lambda r: abs(r) ** 3),
@@ -477,10 +483,15 @@ def log_table():
     return {"inverses": [r for r, _ in pairs], "logarithms": [x for _, x in pairs]}
 
 
-def print_table(name, coefficients):
-    print(f"const {name.upper()}: [f64; {len(coefficients)}] = [")
+#: What is computed in single precision.
+SINGLE = {"rough_gain", "rougher_gain", "stretch_root", "rough_sinc", "rough_root"}
+
+
+def print_table(name, coefficients, single=False):
+    kind = "f32" if single else "f64"
+    print(f"const {name.upper()}: [{kind}; {len(coefficients)}] = [")
     for c in coefficients:
-        print(f"    {c!r},")
+        print(f"    {np.float32(c) if single else c},")
     print("];")
 
 
@@ -495,7 +506,7 @@ def main(names):
             how, search = SEARCHES[name]
             coefficients, worst = search()
             print(f"// {name}: {how}, error {worst:.2g}: reference/coefficients.py {name}")
-            print_table(name, coefficients)
+            print_table(name, coefficients, name in SINGLE)
             continue
         if name in STARTS:
             top, bottom, worst = lawson(STARTS[name]())
@@ -503,15 +514,15 @@ def main(names):
                 f"// {name}: {worst:.2f} of the error that can be borne:"
                 f" reference/coefficients.py {name}"
             )
-            print_table(f"{name}_top", top)
-            print_table(f"{name}_bottom", bottom)
+            print_table(f"{name}_top", top, name in SINGLE)
+            print_table(f"{name}_bottom", bottom, name in SINGLE)
             continue
         fit = FITS[name]
         coefficients, worst = remez(fit)
         interval = f"[{mp.nstr(mp.mpf(fit.lower), 6)}, {mp.nstr(mp.mpf(fit.upper), 6)}]"
         print(f"// {name}: minimax on {interval}, degree {fit.degree},")
         print(f"// weighted error {mp.nstr(worst, 3)}: reference/coefficients.py {name}")
-        print_table(name, coefficients)
+        print_table(name, coefficients, name in SINGLE)
 
 
 if __name__ == "__main__":

@@ -15,8 +15,7 @@ use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
 };
 use super::super::real::{
-    Mask, Narrow, Number, Single, greater, lesser, polynomial, select, sin_cos_mirrored,
-    sqrt_single,
+    Mask, Mirrored, Narrow, Number, Single, greater, lesser, polynomial, select, sqrt_single,
 };
 use super::drag::{self, Drag};
 use super::launch::{Launch, Scaled, if_ordinary, q_without_one_rest, within_domain};
@@ -30,6 +29,9 @@ const ROUGHER_GAIN_BOTTOM: [f32; 3] = [1.0, 27.463785, 40.649506];
 // stretch_root: 0.61 of the error that can be borne: reference/coefficients.py stretch_root
 const STRETCH_ROOT_TOP: [f32; 3] = [0.13728783, 2.870998, 2.8284287];
 const STRETCH_ROOT_BOTTOM: [f32; 3] = [1.0, 4.060205, 0.77661794];
+// rough_sinc: minimax on [0.0, 2.4675], degree 3,
+// weighted error 7.54e-7: reference/coefficients.py rough_sinc
+const ROUGH_SINC: [f32; 4] = [0.9999992, -0.16665682, 0.008313257, -0.00018524306];
 // rough_root: least greatest error, error 0.002: reference/coefficients.py rough_root
 const ROUGH_ROOT: [f32; 3] = [0.46431735, 0.014176948, 0.3340497];
 
@@ -150,8 +152,12 @@ impl Elevated {
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
-        let (sin_theta, cos_theta, right) = sin_cos_mirrored(theta);
-        let tau = rough_tan(sin_theta.hi, cos_theta.hi, epsilon);
+        let mirrored = Mirrored::of(theta);
+        let guess = Guess::new(mirrored.angle.round(), epsilon);
+        let quarter = mirrored.quarter();
+        let guess = guess.stretched();
+        let (sin_theta, cos_theta) = quarter.sin_cos();
+        let tau = Number::widen(guess.tan_by_slant()) * (sin_theta.hi * cos_theta.hi);
         let half_tan = tau * polynomial(tau * tau, &HALF_TAN);
         let square = two_square(half_tan);
         let whole = fast_two_sum(1.0, square.hi);
@@ -181,7 +187,7 @@ impl Elevated {
         };
         let place = Place { sin_theta, cos_theta, half_tan, rest, inverse, up };
         let step = place.step(u.hi, epsilon, digits);
-        Elevated { place, epsilon, right, theta, u, step }
+        Elevated { place, epsilon, right: mirrored.right, theta, u, step }
     }
 
     /// α in [0, π]
@@ -262,35 +268,75 @@ fn quadratic_form(c: &[f32; 3], x: Single, y: Single) -> Single {
     (c[0] * x + c[1] * y) * x + c[2] * (y * y)
 }
 
-/// τ to 2⁻¹⁷ of sin α or better, from numbers in single precision.
-#[inline(always)]
-fn rough_tan(sin: Number, cos: Number, epsilon: Number) -> Number {
-    // where G differs from 1 by less than anything, no power of v overflows; nor is one subnormal
-    let v = greater(1e-30, lesser(1e9, epsilon * sin)).narrow();
-    let cos2 = cos.narrow();
-    let cos2 = cos2 * cos2;
-    let sin2 = 1.0 - cos2;
+/// The way to τ, in single precision: three stretches, each a chain of results that wait for each other,
+/// and end with a division. Between them stands what does not depend on them (bench/NOTES.md, "Order").
+#[derive(Clone, Copy)]
+struct Guess {
+    /// `ε sin θ`
+    v: Single,
+    sin2: Single,
+    cos2: Single,
+    /// G
+    g: Single,
+}
 
-    // u = v/√stretch is nearly `v scale/root`
-    let scale = 1.0 + ROUGH_ROOT[2] * v;
-    let root = scale - (ROUGH_ROOT[0] + ROUGH_ROOT[1] * v) * cos2;
-    let whole = root + v * scale;
-    let g = quadratic_form(&ROUGHER_GAIN_TOP, whole, root)
-        / quadratic_form(&ROUGHER_GAIN_BOTTOM, whole, root);
+/// The same with
+struct Guessed {
+    guess: Guess,
+    /// `sin²θ + G² cos²θ`
+    stretch: Single,
+    /// `1/√(1 + u)`
+    x: Single,
+}
 
-    let stretch = sin2 + g * g * cos2;
-    // its root is a quotient too, so that x = 1/√(1 + u) takes one division and one root
-    let square = stretch * stretch;
-    let over = (STRETCH_ROOT_TOP[0] + STRETCH_ROOT_TOP[1] * stretch) + STRETCH_ROOT_TOP[2] * square;
-    let under = (1.0 + STRETCH_ROOT_BOTTOM[1] * stretch) + STRETCH_ROOT_BOTTOM[2] * square;
-    let x = sqrt_single(over / (over + v * under));
-    let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
-    let top = polynomial(x, &ROUGH_GAIN_TOP);
-    // u G′(u) = 1 − G (2 + u)/(1 + u); both carry the same bottom, and g the one that the step divides by
-    let slope = bottom - top * (1.0 + x * x);
-    let divisor = bottom * stretch + slope * (g * cos2);
-    let g = g * divisor + (top - g * bottom) * stretch;
-    Number::widen((divisor - g) / (g * cos2 + divisor * sin2)) * (sin * cos)
+impl Guess {
+    /// θ being in [0, π/2].
+    #[inline(always)]
+    fn new(theta: Number, epsilon: Number) -> Self {
+        // where G differs from 1 by less than anything, no power of v overflows; nor is one subnormal
+        let v = greater(1e-30, lesser(1e9, epsilon * theta)).narrow();
+        let theta = theta.narrow();
+        let sinc = polynomial(theta * theta, &ROUGH_SINC);
+        let (v, sin) = (v * sinc, theta * sinc);
+        let sin2 = sin * sin;
+        let cos2 = 1.0 - sin2;
+
+        // u = v/√stretch is nearly `v scale/root`
+        let scale = 1.0 + ROUGH_ROOT[2] * v;
+        let root = scale - (ROUGH_ROOT[0] + ROUGH_ROOT[1] * v) * cos2;
+        let whole = root + v * scale;
+        let g = quadratic_form(&ROUGHER_GAIN_TOP, whole, root)
+            / quadratic_form(&ROUGHER_GAIN_BOTTOM, whole, root);
+        Guess { v, sin2, cos2, g }
+    }
+
+    #[inline(always)]
+    fn stretched(self) -> Guessed {
+        let Guess { v, sin2, cos2, g } = self;
+        let stretch = sin2 + g * g * cos2;
+        // its root is a quotient too, so that x takes one division and one root
+        let square = stretch * stretch;
+        let over =
+            (STRETCH_ROOT_TOP[0] + STRETCH_ROOT_TOP[1] * stretch) + STRETCH_ROOT_TOP[2] * square;
+        let under = (1.0 + STRETCH_ROOT_BOTTOM[1] * stretch) + STRETCH_ROOT_BOTTOM[2] * square;
+        let x = sqrt_single(over / (over + v * under));
+        Guessed { guess: self, stretch, x }
+    }
+}
+
+impl Guessed {
+    /// `τ/(sin θ cos θ)`, to 2⁻¹⁷ or better, or that much of 1/cos θ
+    #[inline(always)]
+    fn tan_by_slant(self) -> Single {
+        let Guessed { guess: Guess { sin2, cos2, g, .. }, stretch, x } = self;
+        let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
+        let top = polynomial(x, &ROUGH_GAIN_TOP);
+        // u G′(u) = 1 − G (2 + u)/(1 + u); both carry the same bottom, and g the one that the step divides by
+        let slope = bottom - top * (1.0 + x * x);
+        let divisor = bottom * stretch + slope * (g * cos2);
+        let g = g * divisor + (top - g * bottom) * stretch;
+        (divisor - g) / (g * cos2 + divisor * sin2)
+    }
 }
 
 /// Launch angle α in [0, π] of the shot whose apex is seen at elevation θ: the inverse of [Eq. 10].

@@ -34,7 +34,7 @@ pub(crate) use log::Logarithm;
 pub(crate) use log1pmx::{Sign, log_excess, log1pmx_ordinary};
 pub(crate) use polynomial::{polynomial, polynomial_by};
 pub(crate) use trigonometric::{
-    sin_and_factors, sin_cos_extended, sin_cos_mirrored, sin_cos_upper, sin_upper,
+    Mirrored, sin_and_factors, sin_cos_extended, sin_cos_upper, sin_upper,
 };
 
 /// The number of a table at the last four bits of the index.

@@ -48,6 +48,9 @@ const HALF_PI: [f64; 3] = [
     f64::from_bits(0x397b_839a_2520_49c1),
 ];
 
+/// What π/2 is more than the double next to it.
+const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
+
 /// How well a sine and a cosine are wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Digits {
@@ -57,7 +60,7 @@ pub(crate) enum Digits {
     Enough,
 }
 
-/// `sin r` and `cos r` for |r| ≤ π/4.
+/// `sin r` and `cos r` for |r| ≤ π/4; the words of each overlap.
 #[inline(always)]
 fn sin_cos_reduced(r: DoubleDouble, digits: Digits) -> (DoubleDouble, DoubleDouble) {
     let DoubleDouble { hi: z, lo: z_low } = two_square(r.hi);
@@ -74,10 +77,10 @@ fn sin_cos_reduced(r: DoubleDouble, digits: Digits) -> (DoubleDouble, DoubleDoub
         Digits::More => (small + r.hi * (sixth * z_low), 0.5 * z_low + cos_small),
         Digits::Enough => (small, cos_small),
     };
-    let sin = fast_two_sum(r.hi, cube * sixth + (small + r.lo * (1.0 - 0.5 * z)));
+    let sin_rest = cube * sixth + (small + r.lo * (1.0 - 0.5 * z));
     let cos = fast_two_difference(1.0, 0.5 * z);
     let cos_tail = z * z * polynomial(z, &COS_TAIL) - cos_small;
-    (sin, fast_two_sum(cos.hi, cos.lo + cos_tail))
+    (DoubleDouble { hi: r.hi, lo: sin_rest }, DoubleDouble { hi: cos.hi, lo: cos.lo + cos_tail })
 }
 
 /// `sin x` and `cos x` for |x| ≤ 2π, each to 2⁻⁵⁶ of itself.
@@ -90,6 +93,7 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     let r = two_difference(x - k * HALF_PI[0], k * HALF_PI[1]);
     let r = DoubleDouble { hi: r.hi, lo: r.lo - k * HALF_PI[2] };
     let (sin, cos) = sin_cos_reduced(r, Digits::More);
+    let (sin, cos) = (fast_two_sum(sin.hi, sin.lo), fast_two_sum(cos.hi, cos.lo));
     let odd = quadrant.has(1);
     let sin_sign = select(quadrant.has(2), -1.0, 1.0);
     let cos_sign = select(quadrant.wrapping_add(1).has(2), -1.0, 1.0);
@@ -99,26 +103,56 @@ pub(crate) fn sin_cos_extended(x: Number) -> (DoubleDouble, DoubleDouble) {
     )
 }
 
-/// `sin x` and `|cos x|` for x in [0, π], each to 2⁻⁵⁴ of itself, and whether x is at most π/2.
-///
-/// The left of the half-turn is the mirror image, and the steep half of what is left that of the other.
-/// The differences to π and π/2 are exact where they are kept; their small parts stay apart, for
-/// nothing here is less than them but 0.
-#[cfg_attr(target_arch = "wasm32", inline(never))]
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-pub(crate) fn sin_cos_mirrored(x: Number) -> (DoubleDouble, DoubleDouble, Mask) {
-    use core::f64::consts::{FRAC_PI_2, PI};
-    const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
-    let mirrored = PI - x;
-    let y = lesser(x, mirrored);
-    // the double next to π/2 lies below it, and is its own mirror image
-    let right = x.is_at_most(mirrored);
-    let y_lo = select(right, 0.0, 2.0 * FRAC_PI_2_LO);
-    let across = FRAC_PI_2 - y;
-    let steep = across.is_below(y);
-    let r = DoubleDouble { hi: lesser(across, y), lo: select(steep, FRAC_PI_2_LO - y_lo, y_lo) };
-    let (sin, cos) = sin_cos_reduced(r, Digits::Enough);
-    (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(steep, sin, cos), right)
+/// An angle in [0, π], or its mirror image: the left of the half-turn has the sines and cosines of the right.
+#[derive(Clone, Copy)]
+pub(crate) struct Mirrored {
+    /// from 0 to π/2
+    pub angle: DoubleDouble,
+    /// whether it is itself
+    pub right: Mask,
+}
+
+/// Sine and cosine of the distance from 0 or from π/2, of which the words overlap.
+pub(crate) struct Quarter {
+    sin: DoubleDouble,
+    cos: DoubleDouble,
+    /// whether it is from π/2
+    steep: Mask,
+}
+
+impl Mirrored {
+    #[inline(always)]
+    pub fn of(x: Number) -> Self {
+        use core::f64::consts::PI;
+        let mirrored = PI - x;
+        // the double next to π/2 lies below it, and is its own mirror image
+        let right = x.is_at_most(mirrored);
+        let lo = select(right, 0.0, 2.0 * FRAC_PI_2_LO);
+        Mirrored { angle: DoubleDouble { hi: lesser(x, mirrored), lo }, right }
+    }
+
+    /// The differences to π and π/2 are exact where they are kept; their small parts stay apart, for
+    /// nothing here is less than them but 0.
+    #[inline(always)]
+    pub fn quarter(self) -> Quarter {
+        let DoubleDouble { hi: y, lo: y_lo } = self.angle;
+        let across = core::f64::consts::FRAC_PI_2 - y;
+        let steep = across.is_below(y);
+        let lo = select(steep, FRAC_PI_2_LO - y_lo, y_lo);
+        let r = DoubleDouble { hi: lesser(across, y), lo };
+        let (sin, cos) = sin_cos_reduced(r, Digits::Enough);
+        Quarter { sin, cos, steep }
+    }
+}
+
+impl Quarter {
+    /// Sine and cosine of the mirrored angle, each to 2⁻⁵⁴ of itself.
+    #[inline(always)]
+    pub fn sin_cos(self) -> (DoubleDouble, DoubleDouble) {
+        let Quarter { sin, cos, steep } = self;
+        let (sin, cos) = (fast_two_sum(sin.hi, sin.lo), fast_two_sum(cos.hi, cos.lo));
+        (DoubleDouble::select(steep, cos, sin), DoubleDouble::select(steep, sin, cos))
+    }
 }
 
 /// `sin x` for x in [0, π], and two numbers whose product is `sin x cos x`, each to 2⁻⁵⁴ of itself: the sine
@@ -126,11 +160,12 @@ pub(crate) fn sin_cos_mirrored(x: Number) -> (DoubleDouble, DoubleDouble, Mask) 
 #[inline(always)]
 pub(crate) fn sin_and_factors(x: Number) -> (Number, DoubleDouble, DoubleDouble) {
     use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
-    const FRAC_PI_2_LO: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
     let shifted = x * FRAC_2_PI + MAGIC;
     let k = shifted - MAGIC;
     let r = DoubleDouble { hi: x - k * FRAC_PI_2, lo: k * -FRAC_PI_2_LO };
     let (across, along) = sin_cos_reduced(r, Digits::Enough);
+    let across = fast_two_sum(across.hi, across.lo);
+    let along = fast_two_sum(along.hi, along.lo);
     let sin = select(k.equals(1.0), along.hi, across.hi.abs());
     // next to the upright the product has the other sign
     let turned = shifted.to_bits() << 63;
@@ -142,10 +177,12 @@ pub(crate) fn sin_and_factors(x: Number) -> (Number, DoubleDouble, DoubleDouble)
 }
 
 /// `sin x` and `cos x` for x in [0, π], each to 2⁻⁵⁴ of itself.
-#[inline(always)]
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 pub(crate) fn sin_cos_upper(x: Number) -> (DoubleDouble, DoubleDouble) {
-    let (sin, along, right) = sin_cos_mirrored(x);
-    (sin, DoubleDouble::select(right, along, along.neg()))
+    let mirrored = Mirrored::of(x);
+    let (sin, along) = mirrored.quarter().sin_cos();
+    (sin, DoubleDouble::select(mirrored.right, along, along.neg()))
 }
 
 /// `sin x` for x in [0, π] where no cosine is asked for, to 2⁻⁵⁵ of itself: by one polynomial up to the
