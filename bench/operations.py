@@ -3,10 +3,11 @@
     python -m bench.operations              # every kernel
     python -m bench.operations log1pmx      # some
 
-Counts are of one vector of eight doubles. The model is a Zen 4 core, by its measured peaks: one
-addition and one multiplication a cycle, two vector instructions of any kind, a division every 9
-and a square root every 16 cycles, which also hold the multiplier for 3 and 4. A prediction is what
-the busiest of these needs; what is measured beyond it is waiting for results (bench/NOTES.md).
+Counts are of one vector of eight doubles; what single precision does for two vectors at once
+counts half. The model is a Zen 4 core, by its measured peaks: one addition and one multiplication
+a cycle, two vector instructions of any kind, a division every 9 and a square root every 16 cycles,
+which also hold the multiplier for 3 and 4. A prediction is what the busiest of these needs; what is
+measured beyond it is waiting for results (bench/NOTES.md).
 """
 
 import json
@@ -20,11 +21,11 @@ ROOT = Path(__file__).resolve().parents[1]
 LOG = 23
 #: What is counted, by mnemonic, in this order: the first that fits.
 KINDS = {
-    "add": r"v(?:add|sub)pd",
-    "mul": r"vmulpd",
+    "add": r"v(?:add|sub)p[ds]",
+    "mul": r"vmulp[ds]",
     "fused": r"vf",
-    "div": r"vdivpd",
-    "sqrt": r"vsqrtpd",
+    "div": r"vdivp[ds]",
+    "sqrt": r"vsqrtp[ds]",
     "move": r"vmov[au]p[ds]|vmovdq",
     "other": r"v",
 }

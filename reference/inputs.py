@@ -396,8 +396,8 @@ def target(rng: Generator, count: int) -> tuple[np.ndarray, ...]:
     series = np.polynomial.polynomial.polyval(np.minimum(v, 0.25), 1 / np.arange(2, 28))
     direct = (-np.log(sine * longest) - v) / np.maximum(v, 0.25) ** 2
     top = longest * (sine - longest * np.where(v < 0.25, series, direct))
-    # not so close that the last digits decide on which side of the envelope they are; next to the wall
-    # at 1/ε they decide more, and those of `end` are lost
+    # not so close that the last digits decide on which side of the envelope they are; next to the
+    # wall at 1/ε they decide more, and those of `end` are lost
     below = log_uniform(2.0**-46, 2.0**2)(rng, count)
     y = np.where(near_top, top - below * np.abs(top), y)
     rise = longest * sine

@@ -4,36 +4,18 @@
 //! `tan θ = G(u) tan α`, u = ε sin α, says `sin β = (1 − G) sin α cos θ`, or
 //! `2t = (1 − G) cos θ (1 + t²) sin α`.
 //!
-//! First g = G(u) itself is found to 2⁻¹⁸ in ordinary arithmetic, from
-//! `g = G(ε sin θ / √(sin²θ + g² cos²θ))`: a guess and one Newton step, on rational approximations of
-//! G. That gives τ, and t. One step of third order on the equation for α leaves an error far below the
-//! last digit; its residual alone is formed in sums of two doubles. t has the sine and the cosine of
-//! θ + β with it, without a further series or a root. Derivatives of G are rational in G and u
-//! (`drag.rs`), and cost next to nothing.
+//! First τ is guessed (`guess.rs`), and gives t. One step of third order on the equation for α leaves an
+//! error far below the last digit; its residual alone is formed in sums of two doubles. t has the sine
+//! and the cosine of θ + β with it, without a further series or a root. Derivatives of G are rational in
+//! G and u (`drag.rs`), and cost next to nothing.
 
 use super::super::real::double_double::{
     DoubleDouble, fast_two_difference, fast_two_sum, rest_of_product, two_product, two_square,
 };
-use super::super::real::{
-    Mask, Mirrored, Narrow, Number, Single, greater, lesser, polynomial, select, sqrt_single,
-};
+use super::super::real::{Mask, Mirrored, Number, polynomial, select};
 use super::drag::{self, Drag};
+use super::guess::Guess;
 use super::launch::{Launch, Scaled, if_ordinary, q_without_one_rest, within_domain};
-
-// rough_gain: 0.82 of the error that can be borne: reference/coefficients.py rough_gain
-const ROUGH_GAIN_TOP: [f32; 5] = [1.0000031, 44.774776, 251.60535, 167.03201, -18.256607];
-const ROUGH_GAIN_BOTTOM: [f32; 5] = [1.0, 44.78367, 260.84412, 362.00372, 223.68513];
-// rougher_gain: 0.79 of the error that can be borne: reference/coefficients.py rougher_gain
-const ROUGHER_GAIN_TOP: [f32; 3] = [0.99845344, 23.328398, 10.337007];
-const ROUGHER_GAIN_BOTTOM: [f32; 3] = [1.0, 27.463785, 40.649506];
-// stretch_root: 0.61 of the error that can be borne: reference/coefficients.py stretch_root
-const STRETCH_ROOT_TOP: [f32; 3] = [0.13728783, 2.870998, 2.8284287];
-const STRETCH_ROOT_BOTTOM: [f32; 3] = [1.0, 4.060205, 0.77661794];
-// rough_sinc: minimax on [0.0, 2.4675], degree 3,
-// weighted error 7.54e-7: reference/coefficients.py rough_sinc
-const ROUGH_SINC: [f32; 4] = [0.9999992, -0.16665682, 0.008313257, -0.00018524306];
-// rough_root: least greatest error, error 0.002: reference/coefficients.py rough_root
-const ROUGH_ROOT: [f32; 3] = [0.46431735, 0.014176948, 0.3340497];
 
 /// How well the launch is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -153,11 +135,12 @@ impl Elevated {
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(theta: Number, epsilon: Number, digits: Digits) -> Self {
         let mirrored = Mirrored::of(theta);
+        // a guess waits for itself; between its parts there is time for the sine and the cosine
         let guess = Guess::new(mirrored.angle.round(), epsilon);
         let quarter = mirrored.quarter();
-        let guess = guess.stretched();
+        let guess = guess.with_root();
         let (sin_theta, cos_theta) = quarter.sin_cos();
-        let tau = Number::widen(guess.tan_by_slant()) * (sin_theta.hi * cos_theta.hi);
+        let tau = guess.tan_by_slant() * (sin_theta.hi * cos_theta.hi);
         let half_tan = tau * polynomial(tau * tau, &HALF_TAN);
         let square = two_square(half_tan);
         let whole = fast_two_sum(1.0, square.hi);
@@ -259,83 +242,6 @@ impl Elevated {
         let (sin, cos) = self.direction();
         let q = q_without_one_rest(sin, self.epsilon);
         sin.times(cos).quotient(q.times_double(self.place.cos_theta.hi))
-    }
-}
-
-/// `c₀ x² + c₁ x y + c₂ y²`
-#[inline(always)]
-fn quadratic_form(c: &[f32; 3], x: Single, y: Single) -> Single {
-    (c[0] * x + c[1] * y) * x + c[2] * (y * y)
-}
-
-/// The way to τ, in single precision: three stretches, each a chain of results that wait for each other,
-/// and end with a division. Between them stands what does not depend on them (bench/NOTES.md, "Order").
-#[derive(Clone, Copy)]
-struct Guess {
-    /// `ε sin θ`
-    v: Single,
-    sin2: Single,
-    cos2: Single,
-    /// G
-    g: Single,
-}
-
-/// The same with
-struct Guessed {
-    guess: Guess,
-    /// `sin²θ + G² cos²θ`
-    stretch: Single,
-    /// `1/√(1 + u)`
-    x: Single,
-}
-
-impl Guess {
-    /// θ being in [0, π/2].
-    #[inline(always)]
-    fn new(theta: Number, epsilon: Number) -> Self {
-        // where G differs from 1 by less than anything, no power of v overflows; nor is one subnormal
-        let v = greater(1e-30, lesser(1e9, epsilon * theta)).narrow();
-        let theta = theta.narrow();
-        let sinc = polynomial(theta * theta, &ROUGH_SINC);
-        let (v, sin) = (v * sinc, theta * sinc);
-        let sin2 = sin * sin;
-        let cos2 = 1.0 - sin2;
-
-        // u = v/√stretch is nearly `v scale/root`
-        let scale = 1.0 + ROUGH_ROOT[2] * v;
-        let root = scale - (ROUGH_ROOT[0] + ROUGH_ROOT[1] * v) * cos2;
-        let whole = root + v * scale;
-        let g = quadratic_form(&ROUGHER_GAIN_TOP, whole, root)
-            / quadratic_form(&ROUGHER_GAIN_BOTTOM, whole, root);
-        Guess { v, sin2, cos2, g }
-    }
-
-    #[inline(always)]
-    fn stretched(self) -> Guessed {
-        let Guess { v, sin2, cos2, g } = self;
-        let stretch = sin2 + g * g * cos2;
-        // its root is a quotient too, so that x takes one division and one root
-        let square = stretch * stretch;
-        let over =
-            (STRETCH_ROOT_TOP[0] + STRETCH_ROOT_TOP[1] * stretch) + STRETCH_ROOT_TOP[2] * square;
-        let under = (1.0 + STRETCH_ROOT_BOTTOM[1] * stretch) + STRETCH_ROOT_BOTTOM[2] * square;
-        let x = sqrt_single(over / (over + v * under));
-        Guessed { guess: self, stretch, x }
-    }
-}
-
-impl Guessed {
-    /// `τ/(sin θ cos θ)`, to 2⁻¹⁷ or better, or that much of 1/cos θ
-    #[inline(always)]
-    fn tan_by_slant(self) -> Single {
-        let Guessed { guess: Guess { sin2, cos2, g, .. }, stretch, x } = self;
-        let bottom = polynomial(x, &ROUGH_GAIN_BOTTOM);
-        let top = polynomial(x, &ROUGH_GAIN_TOP);
-        // u G′(u) = 1 − G (2 + u)/(1 + u); both carry the same bottom, and g the one that the step divides by
-        let slope = bottom - top * (1.0 + x * x);
-        let divisor = bottom * stretch + slope * (g * cos2);
-        let g = g * divisor + (top - g * bottom) * stretch;
-        (divisor - g) / (g * cos2 + divisor * sin2)
     }
 }
 

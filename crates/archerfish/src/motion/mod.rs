@@ -10,6 +10,7 @@ mod apex;
 mod curvature;
 mod derivatives;
 mod drag;
+mod guess;
 mod launch;
 mod locus;
 
